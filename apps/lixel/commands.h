@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+// The commands of the command line. Each adds its options to `parent` and returns what runs when it was chosen; the returned
+// function gives an ExitCode or throws InputError, UsageError, OutputError, GraphicsError, RefusedError.
+namespace lixel::app {
+
+struct Command
+{
+    CLI::App* app = nullptr;
+    std::function<int()> run;
+};
+
+// `commandLine` repeats the run.
+Command addRender(CLI::App& parent);
+Command addCompare(CLI::App& parent, const std::string& commandLine);
+Command addReproduce(CLI::App& parent, const std::string& commandLine);
+Command addTechniques(CLI::App& parent);
+Command addScenes(CLI::App& parent);
+
+} // namespace lixel::app

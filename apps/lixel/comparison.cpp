@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "comparison.h"
+
+#include "exit_code.h"
+#include "lixel/plan/footprint.h"
+#include "lixel/report/false_colour.h"
+#include "lixel/report/png.h"
+#include "lixel/trace/exact_area.h"
+#include "lixel/trace/exact_visibility.h"
+#include "lixel/trace/trace_scene.h"
+#include "text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace lixel::app {
+namespace {
+
+// What the whole of one shot shares.
+struct ShotContext
+{
+    const Shooting& shooting;
+    const Shot& shot;
+    const Stage& stage;
+    const View& view;
+    const ViewSamples& samples;
+    const Truth& truth;
+    const ComparisonOptions& options;
+};
+
+ResultRow keyOf(const ShotContext& context, const TechniqueChoice& choice, std::size_t light, std::string_view executor)
+{
+    ResultRow row;
+    row.scene = context.shooting.sceneName;
+    row.view = context.shot.name;
+    row.light = context.shot.lights[light].name;
+    row.technique = choice.typed;
+    row.techniqueFull = toString(choice.technique);
+    row.lixels = toString(context.options.lixels);
+    row.size = fmt::format("{}x{}", context.shooting.width, context.shooting.height);
+    row.executor = executor;
+    return row;
+}
+
+std::optional<Percentiles> percentiles(std::vector<double> values)
+{
+    if (values.empty()) return std::nullopt;
+    std::sort(values.begin(), values.end());
+    const auto at = [&](double share) { return values[std::min(values.size() - 1, std::size_t(share * double(values.size())))]; };
+    return Percentiles{at(0.01), at(0.1), at(0.5), at(0.9), at(0.99), values.back()};
+}
+
+// Footprint and density of every light-facing sample that the light's map serves.
+struct Density
+{
+    Image<float> lixelsPerPixel; // NaN where there is none
+    std::vector<double> pixelsPerLixel, lixelsPerPixelList;
+};
+
+Density densityOf(const ShotContext& context, const ShadowPlan& plan, std::size_t light)
+{
+    Density out;
+    out.lixelsPerPixel = Image<float>(context.samples.width, context.samples.height, std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < context.samples.size(); ++i) {
+        if (context.truth.zones[light][i] == Zone::FacingAway) continue;
+        const Vec3d p = toDouble(context.samples.positionLocal[i]);
+        for (const PlannedRegion& region : plan.regions) {
+            const LightImage image(region.lightClipFromLocal, region.rectangle);
+            const auto f = footprint(context.view, context.samples.originWorld, image, p, toDouble(context.samples.normal[i]));
+            if (!f) continue;
+            const int x = int(context.samples.pixel[i].x), y = int(context.samples.pixel[i].y);
+            out.lixelsPerPixel(x, y) = float(f->lixelsPerPixel);
+            out.pixelsPerLixel.push_back(f->pixelsPerLixel);
+            out.lixelsPerPixelList.push_back(f->lixelsPerPixel);
+            break;
+        }
+    }
+    return out;
+}
+
+Image<Verdict> verdicts(const ShotContext& context, std::size_t light, const Visibility& visibility)
+{
+    Image<Verdict> out(context.samples.width, context.samples.height, Verdict::NotCounted);
+    for (std::size_t i = 0; i < context.samples.size(); ++i)
+        out(int(context.samples.pixel[i].x), int(context.samples.pixel[i].y)) =
+            verdictOf(context.truth.zones[light][i], visibility.value[i], context.truth.exact[light][i]);
+    return out;
+}
+
+Measurement measured(const ShotContext& context, std::size_t light, const Visibility& visibility)
+{
+    const Score s = score(context.truth.zones[light], visibility, context.truth.exact[light]);
+    Measurement m;
+    m.lightFacing = s.lightFacing;
+    m.misclassified = s.misclassified;
+    m.falseShadow = s.falseShadow;
+    m.falseLit = s.falseLit;
+    m.unserved = s.unserved;
+    m.edgeBand = {s.edgeBand.samples, s.edgeBand.misclassified};
+    m.terminatorBand = {s.terminatorBand.samples, s.terminatorBand.misclassified};
+    m.interior = {s.interior.samples, s.interior.misclassified};
+    return m;
+}
+
+// Writes pictures under names that tell what they are, and remembers them by their path below the run's folder.
+class PictureWriter
+{
+public:
+    PictureWriter(const ShotContext& context, const TechniqueChoice& choice, std::string_view executor)
+        : folder_(context.options.pictures),
+          stem_(fmt::format("{}-{}-{}", slug(context.shot.name), slug(choice.typed), executor))
+    {
+    }
+
+    bool isWanted() const { return !folder_.empty(); }
+    std::string write(const Image<Rgba8>& picture, std::string_view what) const
+    {
+        const std::string name = fmt::format("pictures/{}-{}.png", stem_, what);
+        writePng(folder_ / name, picture);
+        return name;
+    }
+
+private:
+    std::filesystem::path folder_;
+    std::string stem_;
+};
+
+// The rows of one technique by one executor: one a light.
+std::vector<ResultRow> rowsOf(const ShotContext& context, Executor& executor, const TechniqueChoice& choice,
+                              std::span<const Visibility> visibility, const FramePlan* plan)
+{
+    const PictureWriter pictures(context, choice, executor.name());
+    std::string shaded;
+    if (pictures.isWanted())
+        shaded = pictures.write(executor.shade(context.stage, context.view, context.shot.lights, context.samples, visibility), "shaded");
+    RowTiming timing;
+    if (plan && context.options.timingFrames > 0 && plan->layers > 0)
+        timing = executor.time(context.stage, *plan, context.view, context.options.timingFrames);
+
+    std::vector<ResultRow> rows;
+    for (std::size_t light = 0; light < context.shot.lights.size(); ++light) {
+        ResultRow row = keyOf(context, choice, light, executor.name());
+        if (plan && plan->lights[light].refused) {
+            const FitFailure reason = *plan->lights[light].refused;
+            row.outcome = Refusal{std::string(nameOf(reason)), std::string(sentenceFor(reason))};
+            rows.push_back(std::move(row));
+            continue;
+        }
+        Measurement m = measured(context, light, visibility[light]);
+        m.timing = timing;
+        m.pictures.shaded = shaded;
+        const std::string lightName = fmt::format("{}-{}", light, slug(context.shot.lights[light].name));
+        if (pictures.isWanted())
+            m.pictures.error = pictures.write(errorPicture(verdicts(context, light, visibility[light])), lightName + "-error");
+        if (plan) {
+            m.lixelsUsed = plan->lixelsOf(light);
+            m.bytes = m.lixelsUsed * plan->lookup.bytesPerLixel;
+            Density density = densityOf(context, plan->lights[light], light);
+            if (pictures.isWanted()) m.pictures.density = pictures.write(densityPicture(density.lixelsPerPixel), lightName + "-density");
+            m.footprintPixelsPerLixel = percentiles(std::move(density.pixelsPerLixel));
+            m.densityLixelsPerPixel = percentiles(std::move(density.lixelsPerPixelList));
+        }
+        row.outcome = std::move(m);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+// Rows of the two executors side by side carry how far they agree.
+void addAgreement(const ShotContext& context, std::vector<ResultRow>& rows, std::span<const std::vector<Visibility>> visibility,
+                  std::span<const std::unique_ptr<Executor>> executors)
+{
+    const std::size_t lights = context.shot.lights.size();
+    for (std::size_t e = 0; e < 2; ++e)
+        for (std::size_t light = 0; light < lights; ++light) {
+            auto* m = std::get_if<Measurement>(&rows[e * lights + light].outcome);
+            if (!m) continue;
+            const ExecutorAgreement a = agreement(context.truth.zones[light], visibility[0][light], visibility[1][light],
+                                                  context.truth.exact[light]);
+            m->agreement = Agreement{std::string(executors[1 - e]->name()), a.agreementPercent(),
+                                     a.misclassifiedByEither > 0 ? std::optional(a.sharedMisclassifiedPercent()) : std::nullopt};
+        }
+}
+
+std::vector<Visibility> withoutMap(const ShotContext& context, const Technique& technique)
+{
+    std::vector<Visibility> out;
+    for (std::size_t light = 0; light < context.shot.lights.size(); ++light) {
+        if (const auto* area = std::get_if<ExactAreaTechnique>(&technique))
+            out.push_back({exactArea(*context.stage.traced, context.view, context.samples, context.shot.lights[light], area->samples), {}});
+        else
+            out.push_back({context.truth.exact[light], {}});
+    }
+    return out;
+}
+
+} // namespace
+
+std::vector<TechniqueChoice> readTechniques(const std::string& list)
+{
+    const auto texts = splitTechniques(list);
+    if (!texts) throw UsageError(texts.error());
+    std::vector<TechniqueChoice> out;
+    for (const std::string& text : *texts) {
+        const auto technique = parseTechnique(text);
+        if (!technique) throw UsageError(technique.error());
+        for (const TechniqueChoice& other : out)
+            if (other.technique == *technique)
+                throw UsageError(fmt::format("technique \"{}\" is the same as \"{}\"", text, other.typed));
+        out.push_back({text, *technique});
+    }
+    return out;
+}
+
+Truth findTruth(const Stage& stage, const ViewSamples& samples, std::span<const Light> lights)
+{
+    Truth truth;
+    for (const Light& light : lights) {
+        truth.exact.push_back(exactVisibility(*stage.traced, samples, light));
+        truth.zones.push_back(zonesOf(samples, light, truth.exact.back()));
+    }
+    return truth;
+}
+
+int stepsPerShot(std::size_t executors, const ComparisonOptions& options)
+{
+    return 2 + int(options.techniques.size() * executors);
+}
+
+std::vector<ResultRow> compareShot(const Shooting& shooting, const Shot& shot, const Stage& stage, const View& view,
+                                   std::span<const std::unique_ptr<Executor>> executors, const ComparisonOptions& options,
+                                   const std::function<void(std::string_view)>& onStep)
+{
+    onStep(shot.name + ": view samples");
+    const ViewSamples samples = executors.front()->viewSamples(stage, view);
+    onStep(shot.name + ": exact visibility");
+    const Truth truth = findTruth(stage, samples, shot.lights);
+    const ShotContext context{shooting, shot, stage, view, samples, truth, options};
+
+    std::vector<ResultRow> all;
+    for (const TechniqueChoice& choice : options.techniques) {
+        std::vector<ResultRow> rows;
+        std::vector<std::vector<Visibility>> visibility;
+        std::optional<FramePlan> plan;
+        if (const auto* map = std::get_if<MapTechnique>(&choice.technique))
+            plan = planShadows({view, shot.lights, stage.buffers.bounds.boxesWorld, stage.buffers.triangles.originWorld, *map, options.lixels});
+        for (const auto& executor : executors) {
+            onStep(fmt::format("{}: {} ({})", shot.name, choice.typed, executor->name()));
+            visibility.push_back(plan ? executor->run(stage, *plan, samples) : withoutMap(context, choice.technique));
+            std::vector<ResultRow> some = rowsOf(context, *executor, choice, visibility.back(), plan ? &*plan : nullptr);
+            rows.insert(rows.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
+        }
+        if (executors.size() == 2) addAgreement(context, rows, visibility, executors);
+        all.insert(all.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
+    }
+    return all;
+}
+
+} // namespace lixel::app

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "executor.h"
+
+#include "executor_error.h"
+#include "exit_code.h"
+#include "lixel/trace/shade.h"
+#include "lixel/trace/trace_executor.h"
+#include "lixel/trace/trace_view_samples.h"
+#include "run_results.h"
+
+#if LIXEL_HAS_GL
+#include "lixel/gl/device/device.h"
+#include "lixel/gl/executor.h"
+#endif
+
+#include <algorithm>
+#include <thread>
+
+#include <fmt/format.h>
+
+namespace lixel::app {
+namespace {
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+std::string processors() { return fmt::format("{} processors", std::thread::hardware_concurrency()); }
+
+class TraceAdapter final : public Executor
+{
+public:
+    std::string_view name() const override { return "trace"; }
+    ViewSamples viewSamples(const Stage& stage, const View& view) override { return traceViewSamples(*stage.traced, view); }
+    std::vector<Visibility> run(const Stage& stage, const FramePlan& plan, const ViewSamples& samples) override
+    {
+        return runTraced(*stage.traced, plan, samples);
+    }
+    RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames) override
+    {
+        const ViewSamples samples = viewSamples(stage, view);
+        std::vector<double> maps, lookups, all;
+        for (int i = -2; i < frames; ++i) {
+            const Stopwatch whole;
+            const TracedAtlas atlas = traceAtlas(*stage.traced, plan);
+            const double mapSeconds = whole.seconds();
+            for (std::size_t light = 0; light < plan.lights.size(); ++light) lookUp(plan, atlas, samples, light);
+            if (i < 0) continue;
+            maps.push_back(1e3 * mapSeconds);
+            all.push_back(1e3 * whole.seconds());
+            lookups.push_back(all.back() - maps.back());
+        }
+        RowTiming timing;
+        timing.frameMs = median(all);
+        timing.passes = {{"light depth", median(maps)}, {"lookup", median(lookups)}};
+        timing.clock = "steady_clock, without view samples and shading";
+        return timing;
+    }
+    Image<Rgba8> shade(const Stage& stage, const View&, std::span<const Light> lights, const ViewSamples& samples,
+                       std::span<const Visibility> visibility) override
+    {
+        return shadeTraced(*stage.traced, lights, samples, visibility);
+    }
+    std::string host() const override { return "Embree, " + processors(); }
+};
+
+#if LIXEL_HAS_GL
+class GlAdapter final : public Executor
+{
+public:
+    std::string_view name() const override { return "gl"; }
+    ViewSamples viewSamples(const Stage& stage, const View& view) override
+    {
+        return executor_.viewSamples(stage.buffers.casters(), view);
+    }
+    std::vector<Visibility> run(const Stage& stage, const FramePlan& plan, const ViewSamples& samples) override
+    {
+        return executor_.run(plan, stage.buffers.casters(), samples);
+    }
+    RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames) override
+    {
+        const CasterBuffers seen = stage.buffers.casters();
+        const CasterSource casters = seen;
+        const FrameTimes times = executor_.measure({seen, casters, view, plan, {}}, frames);
+        RowTiming timing;
+        timing.frameMs = times.frameMs;
+        timing.gpuMs = times.gpuMs;
+        timing.clock = times.clock;
+        for (const FrameTimes::Pass& pass : times.passes) timing.passes.push_back({pass.name, pass.ms});
+        return timing;
+    }
+    Image<Rgba8> shade(const Stage& stage, const View& view, std::span<const Light> lights, const ViewSamples& samples,
+                       std::span<const Visibility> visibility) override
+    {
+        return executor_.shade(stage.buffers.casters(), view, lights, samples, visibility);
+    }
+    std::string host() const override { return executor_.renderer() + ", " + processors(); }
+
+private:
+    GlExecutor executor_;
+};
+
+std::unique_ptr<Executor> makeGl()
+{
+    try {
+        return std::make_unique<GlAdapter>();
+    } catch (const gl::GraphicsError& error) {
+        throw NoGraphicsError(error.what());
+    }
+}
+#else
+std::unique_ptr<Executor> makeGl() { throw NoGraphicsError("built without OpenGL: use --executor trace"); }
+#endif
+
+} // namespace
+
+Stage makeStage(const std::shared_ptr<const Scene>& scene, const EvaluateOptions& options, Vec3d originWorld)
+{
+    Stage stage{evaluate(scene, options, originWorld), nullptr};
+    stage.traced = std::make_shared<const TraceScene>(stage.buffers.casters());
+    return stage;
+}
+
+std::unique_ptr<Executor> makeExecutor(std::string_view name)
+{
+    if (name == "gl") return makeGl();
+    if (name == "trace") return std::make_unique<TraceAdapter>();
+    throw UsageError(fmt::format("--executor {}: expected gl or trace", name));
+}
+
+} // namespace lixel::app

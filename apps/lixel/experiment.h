@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/report/reproduction.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace lixel::app {
+
+struct ExperimentOptions
+{
+    bool isQuick = false;
+    std::uint64_t seed = 2007;
+    std::string executor = "gl";
+};
+
+// One experiment of a paper. Its run gives parameters, numbers and rows; name, paper and question are filled in from here.
+struct Experiment
+{
+    std::string name, paper, question;
+    Reproduction (*run)(const ExperimentOptions& options);
+};
+
+std::span<const Experiment> experiments();
+
+// Their runs, one file each.
+Reproduction reproduceNormalAgainstFocused(const ExperimentOptions& options);
+
+} // namespace lixel::app

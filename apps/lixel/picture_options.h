@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/base/view.h"
+#include "lixel/scene/evaluate.h"
+#include "lixel/scene/scene.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+// What a picture is taken of: the scene, its views, lights and the time, from options, view file and scene, in this order of
+// precedence.
+namespace lixel::app {
+
+struct PictureOptions
+{
+    std::string scene;
+    std::string view;                 // a view's name, a view file's path, or "all"
+    std::string size = "1024x1024";
+    std::optional<double> time;
+    std::optional<int> animation;
+    bool alongPath = false;
+    std::optional<std::string> eye, target, up, lightPosition, lightDirection;
+    std::optional<double> fovy, near, far, lightAngle, lightRange; // degrees; world units
+};
+
+void addPictureOptions(CLI::App& command, PictureOptions& options);
+
+// One picture to take.
+struct Shot
+{
+    std::string name;                 // the view's
+    Camera camera;
+    std::vector<Light> lights;
+};
+
+// A scene at its time with all the pictures asked for.
+struct Shooting
+{
+    std::string sceneName;            // as typed
+    std::shared_ptr<const Scene> scene;
+    EvaluateOptions evaluateOptions;
+    Box sceneWorld;                   // at that time
+    int width = 0, height = 0;
+    std::vector<Shot> shots;
+};
+
+// Throws InputError, UsageError. `takeAll`: a built-in scene without --view gives all its views, else its first.
+Shooting prepare(const PictureOptions& options, bool takeAll);
+
+} // namespace lixel::app

@@ -1,0 +1,40 @@
+# Every file of a folder belongs to its library, so that adding one is adding a file.
+add_library(lixel_flags INTERFACE)
+target_compile_options(lixel_flags INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wpedantic)
+if(LIXEL_WARNINGS_ARE_ERRORS)
+  target_compile_options(lixel_flags INTERFACE -Werror)
+endif()
+# GCC 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105651).
+target_compile_options(lixel_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+# Floating point as written: executors and twins must agree, so no contraction into fused multiply-adds.
+target_compile_options(lixel_flags INTERFACE -ffp-contract=off)
+if(LIXEL_SANITIZE)
+  add_compile_options(-fsanitize=${LIXEL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${LIXEL_SANITIZE})
+endif()
+
+# lixel_library(name PUBLIC libs... PRIVATE libs...): the static library lixel_<name> from all .cpp below this folder.
+function(lixel_library name)
+  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  add_library(lixel_${name} STATIC ${sources})
+  add_library(lixel::${name} ALIAS lixel_${name})
+  target_include_directories(lixel_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)
+  target_link_libraries(lixel_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:lixel_flags>)
+  set_target_properties(lixel_${name} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME ${name})
+endfunction()
+
+# lixel_test(name libs...): one test program from all .cpp of tests/<name>, each of its tests known to ctest.
+function(lixel_test name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${name}_test ${sources})
+  target_link_libraries(${name}_test PRIVATE ${ARGN} lixel_test_support lixel_flags GTest::gtest GTest::gtest_main)
+  set(properties LABELS ${name})
+  if(name STREQUAL "gl" OR name STREQUAL "apps")
+    list(APPEND properties RESOURCE_LOCK graphics)
+  endif()
+  gtest_discover_tests(${name}_test DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
+endfunction()

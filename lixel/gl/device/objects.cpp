@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/gl/device/objects.h"
+
+#include "lixel/base/assert.h"
+#include "lixel/gl/device/device.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace lixel::gl {
+namespace {
+thread_local std::uint64_t made = 0;
+}
+
+std::uint64_t objectsMade() { return made; }
+
+namespace detail {
+void countObject() { ++made; }
+void deleteBuffer(std::uint32_t name) { glDeleteBuffers(1, &name); }
+void deleteTexture(std::uint32_t name) { glDeleteTextures(1, &name); }
+void deleteFramebuffer(std::uint32_t name) { glDeleteFramebuffers(1, &name); }
+void deleteVertexArray(std::uint32_t name) { glDeleteVertexArrays(1, &name); }
+void deleteShader(std::uint32_t name) { glDeleteShader(name); }
+void deleteProgram(std::uint32_t name) { glDeleteProgram(name); }
+void deleteQuery(std::uint32_t name) { glDeleteQueries(1, &name); }
+} // namespace detail
+
+VertexArray makeVertexArray()
+{
+    GLuint name = 0;
+    glCreateVertexArrays(1, &name);
+    return VertexArray(name);
+}
+
+Query makeTimerQuery()
+{
+    GLuint name = 0;
+    glCreateQueries(GL_TIME_ELAPSED, 1, &name);
+    return Query(name);
+}
+
+void Buffer::reserve(std::size_t bytes)
+{
+    if (name_.get() && bytes <= capacity_) return;
+    capacity_ = std::max<std::size_t>(bytes, 16);
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    name_ = detail::Name<detail::deleteBuffer>(name);
+    glNamedBufferStorage(name, GLsizeiptr(capacity_), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    GLint64 got = 0;
+    glGetNamedBufferParameteri64v(name, GL_BUFFER_SIZE, &got);
+    if (got != GLint64(capacity_))
+        throw GraphicsError(fmt::format("the graphics device has no room for a buffer of {} bytes", capacity_));
+}
+
+void Buffer::clear(std::size_t offset, std::size_t bytes)
+{
+    if (bytes == 0) return;
+    const std::uint32_t zero = 0;
+    glClearNamedBufferSubData(name(), GL_R32UI, GLintptr(offset), GLsizeiptr(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT,
+                              &zero);
+}
+
+void Buffer::bindStorage(int binding, std::size_t offset, std::size_t bytes) const
+{
+    LX_ASSERT(offset + bytes <= capacity_ && bytes > 0);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, GLuint(binding), name(), GLintptr(offset), GLsizeiptr(bytes));
+}
+
+void Buffer::bindUniform(int binding, std::size_t bytes) const
+{
+    LX_ASSERT(bytes <= capacity_ && bytes > 0);
+    glBindBufferRange(GL_UNIFORM_BUFFER, GLuint(binding), name(), 0, GLsizeiptr(bytes));
+}
+
+void Buffer::writeBytes(std::size_t offset, const void* data, std::size_t bytes)
+{
+    LX_ASSERT(offset + bytes <= capacity_);
+    if (bytes > 0) glNamedBufferSubData(name(), GLintptr(offset), GLsizeiptr(bytes), data);
+}
+
+void Buffer::readBytes(std::size_t offset, void* data, std::size_t bytes) const
+{
+    LX_ASSERT(offset + bytes <= capacity_);
+    if (bytes > 0) glGetNamedBufferSubData(name(), GLintptr(offset), GLsizeiptr(bytes), data);
+}
+
+Texture::Texture(std::uint32_t internalFormat, int width, int height, int layers, int levels)
+    : width_(width), height_(height), layers_(layers)
+{
+    GLuint name = 0;
+    glCreateTextures(layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &name);
+    name_ = detail::Name<detail::deleteTexture>(name);
+    if (layers > 0) glTextureStorage3D(name, levels, internalFormat, width, height, layers);
+    else glTextureStorage2D(name, levels, internalFormat, width, height);
+    // Maps and images are read with texelFetch.
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
+    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+void Texture::resize(std::uint32_t internalFormat, int width, int height, int layers)
+{
+    if (name_.get() && width == width_ && height == height_ && layers == layers_) return;
+    *this = Texture(internalFormat, width, height, layers);
+}
+
+void Texture::bind(int unit) const { glBindTextureUnit(GLuint(unit), name()); }
+
+Framebuffer::Framebuffer(std::span<const Texture* const> colours, const Texture* depth)
+{
+    GLuint name = 0;
+    glCreateFramebuffers(1, &name);
+    name_ = FramebufferName(name);
+    std::array<GLenum, 8> attachments{};
+    LX_ASSERT(colours.size() <= attachments.size());
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        attachments[i] = GLenum(GL_COLOR_ATTACHMENT0 + i);
+        glNamedFramebufferTexture(name, attachments[i], colours[i]->name(), 0);
+    }
+    glNamedFramebufferDrawBuffers(name, GLsizei(colours.size()), attachments.data());
+    if (depth) glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, depth->name(), 0);
+    if (glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw GraphicsError("the driver cannot draw into the textures of a pass");
+}
+
+void Framebuffer::bind() const { glBindFramebuffer(GL_DRAW_FRAMEBUFFER, name()); }
+
+} // namespace lixel::gl

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/base/caster_source.h"
+#include "lixel/base/image.h"
+#include "lixel/base/light.h"
+#include "lixel/base/view.h"
+#include "lixel/base/view_samples.h"
+#include "lixel/base/visibility.h"
+#include "lixel/gl/graphics_error.h"
+#include "lixel/plan/shadow_plan.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lixel {
+
+// What a frame costs, medians. A frame is: view, gather, light depth, lookup, shade; nothing is read back in it.
+struct FrameTimes
+{
+    struct Pass
+    {
+        std::string name;
+        double ms = 0;
+    };
+    double frameMs = 0;          // of undisturbed frames, from an idle device to an idle device, by the steady clock
+    std::optional<double> gpuMs; // by timer queries; nothing on software drivers, where they see next to nothing
+    std::vector<Pass> passes;    // of separate frames, in their order
+    std::string clock;           // what the passes were timed by
+};
+
+// The executor on OpenGL 4.5 core: does what a plan says on the device, and decides nothing about shadows. It owns its passes and
+// textures, which grow with the frame: after the first frame of a size no OpenGL object is made. It belongs to one thread.
+//
+// Plan, casters and samples share their originWorld; casters of version 0 are uploaded again at every call. Whatever fails
+// on the device throws gl::GraphicsError with one clear line; nothing falls back by itself.
+class GlExecutor
+{
+public:
+    enum class Context {
+        Headless, // a context of its own, without a window system or a display
+        Current   // the host's, current on this thread at every call; state that passes set is not put back
+    };
+    explicit GlExecutor(Context context = Context::Headless);
+    ~GlExecutor();
+    GlExecutor(GlExecutor&&) noexcept;
+    GlExecutor& operator=(GlExecutor&&) noexcept;
+
+    const std::string& renderer() const;
+    bool isSoftware() const;
+
+    // What the view sees: one sample a pixel centre, row by row from the bottom; pixels that see nothing have none.
+    ViewSamples viewSamples(const CasterBuffers& casters, const View& view);
+
+    // Draws the maps of a plan and looks the samples up in them. One Visibility a light.
+    std::vector<Visibility> run(const FramePlan& plan, const CasterSource& casters, const ViewSamples& samples);
+
+    // The maps of a plan, one image a layer: 1 near, 0 far and empty.
+    std::vector<Image<float>> drawMaps(const FramePlan& plan, const CasterSource& casters);
+
+    // The picture with visibility from anywhere, one Visibility a light: a pixel takes the weighted mean of its samples, and is
+    // lit where it has none; so is everything where a light's values are empty. Row 0 is the bottom.
+    Image<Rgba8> shade(const CasterBuffers& casters, const View& view, std::span<const Light> lights,
+                       const ViewSamples& samples, std::span<const Visibility> visibility);
+
+    // A whole frame on the device, as a renderer would draw it; only the picture is read back.
+    struct Frame
+    {
+        const CasterBuffers& seen;
+        const CasterSource& casters;
+        const View& view;
+        const FramePlan& plan;
+        std::span<const Light> lights; // of the plan; empty: measure() leaves the shade pass out
+    };
+    Image<Rgba8> render(const Frame& frame);
+
+    // Draws the frame twice to warm up, then `frames` times undisturbed and `frames` times pass by pass.
+    FrameTimes measure(const Frame& frame, int frames = 15);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace lixel

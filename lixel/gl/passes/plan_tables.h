@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/base/image.h"
+#include "lixel/gl/device/device.h"
+#include "lixel/gl/device/objects.h"
+#include "lixel/plan/shadow_plan.h"
+
+#include <vector>
+
+namespace lixel::gl {
+
+// The tables of a frame's plan on the device.
+class PlanTables
+{
+public:
+    void upload(const FramePlan& plan);
+    void bind() const; // kStorageRegions, kStorageHalfSpaces, kStorageLights
+
+private:
+    Buffer regions_, halfSpaces_, lights_;
+};
+
+// The maps of all lights: one depth of 32 bits a lixel, 1 near, 0 far and empty.
+struct ShadowAtlas
+{
+    Texture depth; // a 2D array
+    Framebuffer framebuffer;
+
+    // Throws GraphicsError, by name, at maps larger than the device's textures or more layers than it has.
+    void resize(const Device& device, const FramePlan& plan);
+    std::vector<Image<float>> download(int layers) const; // the first ones; waits for the device
+};
+
+} // namespace lixel::gl

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/base/caster_source.h"
+#include "lixel/gl/device/device.h"
+#include "lixel/gl/device/objects.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace lixel::gl {
+
+// Consecutive triangles that are drawn alike.
+struct DrawRange
+{
+    std::uint32_t firstTriangle = 0, triangleCount = 0; // in drawing order
+    int texture = -1;                                   // into Surfaces::textures, -1: none
+    bool isMasked = false;
+};
+
+// The casters on the device: LocalTriangles reordered for drawing (opaque ones first, then by texture, else as they came),
+// their materials and textures. Colour is filtered with mips; alpha must be read by texelFetch as lixel/shared/alpha.h says.
+class Surfaces
+{
+public:
+    explicit Surfaces(const Device& device);
+
+    // Uploads unless the version is the one that is here; version 0 says nothing and is always uploaded. Throws
+    // GraphicsError, by name, at arrays or textures larger than the device takes.
+    void update(const CasterBuffers& casters);
+
+    // The vertex array with attributes kAttribute... and the indices; textures and wrap modes are for the drawing pass.
+    void bindVertices() const;
+    // Draws triangles in drawing order, `instances` times; the program and the rest of the state are the caller's.
+    void draw(std::uint32_t firstTriangle, std::uint32_t count, std::uint32_t instances) const;
+    // Materials, and which of them each triangle in drawing order has.
+    void bindMaterials() const;
+    // Indices and positions, for shaders that look triangles up: triangles [first, first + count), in drawing order.
+    void bindTriangles(std::uint32_t first, std::uint32_t count) const;
+    // How many triangles one bindTriangles() takes at most.
+    std::uint32_t trianglesPerBinding() const;
+
+    const std::vector<DrawRange>& ranges() const { return ranges_; }
+    std::uint32_t triangleCount() const { return triangleCount_; }
+    std::uint32_t opaqueCount() const { return opaqueCount_; } // the first ones in drawing order
+    Vec3d originWorld() const { return originWorld_; }
+    std::uint64_t version() const { return version_; }
+
+    // Binds the texture of a range to kUnitSurface and tells its wrap modes (0 without a texture: one white texel).
+    struct Wraps
+    {
+        int u = 0, v = 0;
+    };
+    Wraps bindTexture(const DrawRange& range) const;
+
+private:
+    void uploadTriangles(const CasterBuffers& casters, const LocalTriangles& triangles);
+    void uploadAttributes(const LocalTriangles& triangles);
+    void uploadMaterials(std::span<const Material> materials);
+    void uploadTextures(std::span<const lixel::Texture> textures);
+
+    const Device* device_;
+    std::uint64_t version_ = 0;
+    Vec3d originWorld_;
+    std::uint32_t triangleCount_ = 0, opaqueCount_ = 0;
+    std::vector<DrawRange> ranges_;
+
+    VertexArray vertexArray_;
+    Buffer positions_, uv_, colour_, normal_, missing_;
+    Buffer indices_, triangleSource_, triangleMaterial_, materials_;
+    std::size_t positionBytes_ = 0, materialBytes_ = 0;
+    struct SurfaceTexture
+    {
+        gl::Texture texture;
+        Wraps wraps;
+        std::uint64_t fingerprint = 0; // of its texels: an animated scene has new triangles but the same textures
+    };
+    std::vector<SurfaceTexture> textures_;
+    gl::Texture white_;
+};
+
+} // namespace lixel::gl

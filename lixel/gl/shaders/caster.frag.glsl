@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The holes of casters from buffers.
+#include "lixel/gl/shaders/alpha.glsl"
+#include "lixel/gl/shaders/materials.glsl"
+
+layout(location = 1) uniform uint firstTriangle; // of this draw
+
+layout(location = 0) in vec2 lixelUv;
+layout(location = 1) in float vertexAlpha;
+
+void main()
+{
+    SurfaceMaterial material = materials[triangleMaterial[firstTriangle + uint(gl_PrimitiveID)]];
+    if (!isKept(material.baseColour.a, vertexAlpha, surfaceTextureAlpha(lixelUv), material.alphaCutoff)) discard;
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/plan/fit/fit.h"
+
+namespace lixel {
+
+// The map that the papers call "normal": the whole scene as the light sees it, whatever the view.
+//
+//   L. Williams. Casting Curved Shadows on Curved Surfaces. SIGGRAPH 1978.
+//
+//   Needs    a scene
+//   Returns  directional: the upright rectangle of the scene's box across the light; spot: the square of its cone;
+//            point: the upright rectangle around the scene's box
+//   Refuses  ExtentNotInHemisphere, for a point light that the scene surrounds; EmptyScene
+//   Differs  Williams has spots only; sides of the rectangle lie along arbitrary but fixed directions across the light
+FitResult fitUniform(const FitInput& input);
+
+} // namespace lixel

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/base/mat4.h"
+
+#include <optional>
+
+namespace lixel {
+
+// Lixels [x0, x1) x [y0, y1) of one layer of the atlas.
+struct LixelRectangle
+{
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    int layer = 0;
+
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+    friend bool operator==(const LixelRectangle&, const LixelRectangle&) = default;
+};
+
+// A ray of light in Local space: a point of it and the way light travels, not normalised.
+struct LightRay
+{
+    Vec3d originLocal;
+    Vec3d directionLocal;
+};
+
+// The image that a light has of a region: the fit, then the warp (none yet: the identity), in its rectangle of the atlas.
+// Continuous lixel coordinates count from the layer's corner; lixel (i, j) has its centre at (i + 1/2, j + 1/2).
+class LightImage
+{
+public:
+    LightImage(const Mat4d& lightClipFromLocal, const LixelRectangle& rectangle);
+
+    // x, y: lixel; z: NDC depth in [-1, +1], growing away from the light. Nothing where w <= 0 or outside the rectangle.
+    std::optional<Vec3d> lixelAt(Vec3d pointLocal) const;
+
+    // The ray through a point of the light image. Nothing where the matrix has no inverse.
+    std::optional<LightRay> rayThrough(Vec2d lixel) const;
+
+    // How the receiver plane through the point lies in the light image: d lixel / d plane and d depth / d plane along two
+    // unit tangents of the plane. Needs w > 0.
+    struct Tangents
+    {
+        Vec3d lixelAndDepthAlongFirst, lixelAndDepthAlongSecond;
+    };
+    Tangents tangents(Vec3d pointLocal, Vec3d first, Vec3d second) const;
+
+private:
+    Mat4d lightClipFromLocal_;
+    std::optional<Mat4d> localFromLightClip_;
+    LixelRectangle rectangle_;
+};
+
+} // namespace lixel

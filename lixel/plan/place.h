@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/plan/fit/fit.h"
+#include "lixel/plan/light_image.h"
+#include "lixel/plan/lookup/lookup.h"
+
+namespace lixel {
+
+// Puts a fit, which knows nothing of resolution, into its rectangle of the atlas: turned by a right angle where that brings its
+// longer side along the rectangle's, and shrunk so that the lookup's whole reach around every receiver stays inside (the
+// guard band). Returns lightClipFromLocal whose NDC square is the whole rectangle.
+Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout& lookup);
+
+} // namespace lixel

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/base/image.h"
+#include "lixel/base/surfaces.h"
+#include "lixel/judge/score.h"
+
+// What numbers look like in pictures; the report's legends are drawn by the same functions.
+namespace lixel {
+
+// Apart for people who cannot tell red from green; NotCounted and Right are transparent.
+Rgba8 verdictColour(Verdict verdict);
+
+// On a log scale from 2^-kDensityOctaves (red: one lixel for many pixels) over 1 (pale) to 2^kDensityOctaves (blue:
+// more lixels than the picture can show); ends clamp, NaN is transparent.
+inline constexpr int kDensityOctaves = 6;
+Rgba8 densityColour(double lixelsPerPixel);
+
+// Transparent where nothing is wrong: laid over the shaded picture.
+Image<Rgba8> errorPicture(const Image<Verdict>& verdicts);
+
+// Transparent where the value is NaN: no surface, or no lixel serves it.
+Image<Rgba8> densityPicture(const Image<float>& lixelsPerPixel);
+
+} // namespace lixel

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/report/results.h"
+
+#include <filesystem>
+
+namespace lixel {
+
+// Writes `folder`/report.html: the run's tables, charts and pictures in one file that needs no network and nothing
+// beside it. The pictures are read from `folder`, where the rows' PictureFiles must already stand.
+// Throws OutputError when it cannot be written, std::runtime_error when a picture cannot be read.
+void writeReport(const std::filesystem::path& folder, const RunResults& results);
+
+} // namespace lixel

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/report/json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace lixel {
+namespace {
+
+using Json = nlohmann::json; // objects are sorted by key
+
+template <typename T>
+Json orNull(const std::optional<T>& value)
+{
+    return value ? Json(*value) : Json(nullptr);
+}
+
+// Nothing of nothing is no percentage.
+Json percent(std::int64_t part, std::int64_t whole)
+{
+    return whole > 0 ? Json(100.0 * double(part) / double(whole)) : Json(nullptr);
+}
+
+void putCount(Json& row, const std::string& name, const SampleCount& count)
+{
+    row[name + "_samples"] = count.samples;
+    row[name + "_misclassified"] = count.misclassified;
+    row[name + "_percent"] = percent(count.misclassified, count.samples);
+}
+
+Json percentiles(const std::optional<Percentiles>& of)
+{
+    if (!of) return nullptr;
+    return {{"p1", of->p1}, {"p10", of->p10}, {"p50", of->p50}, {"p90", of->p90}, {"p99", of->p99}, {"max", of->max}};
+}
+
+Json pictures(const PictureFiles& files)
+{
+    Json json = Json::object();
+    if (!files.shaded.empty()) json["shaded"] = files.shaded;
+    if (!files.error.empty()) json["error"] = files.error;
+    if (!files.density.empty()) json["density"] = files.density;
+    return json;
+}
+
+Json timing(const RowTiming& of)
+{
+    Json passes = Json::array();
+    for (const PassTime& pass : of.passes) passes.push_back({{"name", pass.name}, {"ms", pass.ms}});
+    return {{"frame_ms", orNull(of.frameMs)}, {"gpu_ms", orNull(of.gpuMs)}, {"clock", of.clock}, {"passes", passes}};
+}
+
+void putMeasurement(Json& row, const Measurement& of)
+{
+    row["light_facing"] = of.lightFacing;
+    row["misclassified"] = of.misclassified;
+    row["misclassified_percent"] = percent(of.misclassified, of.lightFacing);
+    row["false_shadow"] = of.falseShadow;
+    row["false_lit"] = of.falseLit;
+    putCount(row, "edge_band", of.edgeBand);
+    putCount(row, "terminator_band", of.terminatorBand);
+    putCount(row, "interior", of.interior);
+    row["unserved"] = of.unserved;
+    row["lixels_used"] = of.lixelsUsed;
+    row["bytes"] = of.bytes;
+    row["footprint_pixels_per_lixel"] = percentiles(of.footprintPixelsPerLixel);
+    row["density_lixels_per_pixel"] = percentiles(of.densityLixelsPerPixel);
+    if (of.agreement) {
+        row["agreement_with"] = of.agreement->executor;
+        row["agreement_percent"] = of.agreement->agreementPercent;
+        row["shared_misclassified_percent"] = orNull(of.agreement->sharedMisclassifiedPercent);
+    }
+    row["pictures"] = pictures(of.pictures);
+    row["timing"] = timing(of.timing);
+}
+
+Json rowJson(const ResultRow& of, const std::string& lixelVersion)
+{
+    Json row = {{"scene", of.scene},
+                {"view", of.view},
+                {"light", of.light},
+                {"technique", of.technique},
+                {"technique_full", of.techniqueFull},
+                {"lixels", of.lixels},
+                {"size", of.size},
+                {"executor", of.executor},
+                {"seed", of.seed},
+                {"lixel_version", lixelVersion}};
+    if (const Measurement* measured = of.measured()) putMeasurement(row, *measured);
+    if (const Refusal* refused = of.refused())
+        row["refused"] = {{"reason", refused->reason}, {"message", refused->message}};
+    return row;
+}
+
+} // namespace
+
+std::string toJson(const RunResults& results)
+{
+    std::vector<ResultRow> sorted = results.rows;
+    sortByKey(sorted);
+    Json rows = Json::array();
+    for (const ResultRow& row : sorted) rows.push_back(rowJson(row, results.lixelVersion));
+    const Json run = {{"version", kResultsVersion},
+                      {"lixel_version", results.lixelVersion},
+                      {"command", results.command},
+                      {"seed", results.seed},
+                      {"results", rows},
+                      {"timing",
+                       {{"date", results.timing.date},
+                        {"host", results.timing.host},
+                        {"total_seconds", results.timing.totalSeconds}}}};
+    return run.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace lixel

@@ -1,0 +1,36 @@
+// Puts the page together.
+
+const percentileColumns = (label, key, names, unit) => names.map(name =>
+  column(`${label} ${name}`, row => row[key]?.[name] ?? null, numberText, unit));
+
+function showRows() {
+  const group = {...column("View", groupName), title: "View and light; shows its pictures", open: row => openView(row)};
+  const columns = [
+    group, ...techniqueColumns(), ...errorColumns,
+    column("False shadow", "false_shadow", countText, "samples"),
+    column("False lit", "false_lit", countText, "samples"),
+    column("Unserved", "unserved", countText, "samples that no map covers"),
+    column("Light-facing", "light_facing", countText, "samples that count"),
+    ...percentileColumns("Footprint", "footprint_pixels_per_lixel", ["p50", "p90", "p99", "max"], "pixels a lixel"),
+    ...percentileColumns("Density", "density_lixels_per_pixel", ["p1", "p10", "p50"], "lixels a pixel"),
+    ...costColumns, column("Frame ms", row => row.timing.frame_ms, numberText),
+  ];
+  if (measured.some(row => row.agreement_with !== undefined)) columns.push(
+    column("Agreement %", "agreement_percent", percentText, "samples for which both executors say the same"),
+    column("Shared errors %", "shared_misclassified_percent", percentText, "of the samples that either got wrong"));
+  byId("rows-table").replaceChildren(sortableTable("All rows", columns, measured, true));
+}
+
+function showRefused() {
+  byId("refused").hidden = !refused.length;
+  byId("refused-table").replaceChildren(sortableTable("Refused", [
+    column("View", groupName), ...techniqueColumns(), column("Reason", row => row.refused.reason),
+    {...column("Message", row => row.refused.message), className: "message"},
+  ], refused));
+}
+
+showHead();
+showSummary();
+startPictures();
+showRows();
+showRefused();

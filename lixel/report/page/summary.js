@@ -1,0 +1,90 @@
+// The head of the page, and means over its views.
+
+function showHead() {
+  const valuesOf = key => [...new Set(run.results.map(row => row[key]))].join(", ");
+  const facts = {
+    Scene: valuesOf("scene"), Picture: valuesOf("size"), "Lixels a light": valuesOf("lixels"),
+    Executor: valuesOf("executor"), Seed: run.seed, lixel: run.lixel_version, Made: run.timing.date,
+    On: run.timing.host,
+  };
+  byId("facts").append(...Object.entries(facts).filter(([, value]) => value !== "")
+    .map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, String(value)))));
+  document.title = `lixel: ${valuesOf("scene")}`;
+  byId("command").textContent = run.command;
+  byId("copy").addEventListener("click", copyCommand);
+}
+
+// From a file the clipboard may be refused; the command is then selected, ready for the keyboard.
+async function copyCommand() {
+  try {
+    await navigator.clipboard.writeText(run.command);
+    byId("copy").textContent = "Copied";
+  } catch {
+    getSelection().selectAllChildren(byId("command"));
+    byId("copy").textContent = "Selected";
+  }
+  setTimeout(() => { byId("copy").textContent = "Copy"; }, 2000);
+}
+
+const kLayers = [["False shadow", "false_shadow"], ["False lit", "false_lit"]];
+
+function showSummary() {
+  const several = differ(summary, "scene");
+  const label = row => (several ? `${row.scene} · ` : "") + nameOf(row);
+  const counts = groups.length > 1 ? `Means over ${groups.length} views and lights. ` : "";
+  byId("summary-note").textContent = counts + "Error is the share of light-facing view samples that are misclassified."
+    + (run.timing.host ? " Times are of this machine; compare them with each other only." : "");
+  const compared = summary.filter(row => row.technique !== "exact"); // whose error is 0 by definition
+  const errors = compared.map(row => ({label: label(row), text: percentText(row.misclassified_percent) + " %",
+    parts: kLayers.map(([, key]) => ({value: row[key + "_percent"] ?? 0, colour: colours[key]}))}));
+  const costs = compared.filter(row => isNumber(row.frame_ms))
+    .map(row => ({label: label(row), text: numberText(row.frame_ms) + " ms",
+      parts: [{value: row.frame_ms, className: "cost"}]}));
+  if (errors.length) byId("charts").append(barChart("Misclassified samples", "%", errors));
+  if (costs.length) byId("charts").append(barChart("Time of a frame", "ms", costs));
+  byId("charts").querySelector("figcaption")?.append(errorKeys());
+  byId("summary-table").replaceChildren(sortableTable("Means by technique", summaryColumns(several), summary));
+}
+
+const errorKeys = () => element("span", {class: "keys"},
+  ...kLayers.map(([name, key]) => colourKey(name, colours[key])));
+
+function colourKey(name, colour) {
+  const swatch = element("span", {class: "swatch"});
+  swatch.style.background = colour;
+  return element("span", {class: "key"}, swatch, name);
+}
+
+function column(label, key, text, title) {
+  label = label.replace(" %", "\u00a0%"); // the sign stays with its word
+  return {label, value: typeof key === "function" ? key : row => row[key] ?? null, text, title};
+}
+
+const errorColumns = [
+  column("Misclassified %", "misclassified_percent", percentText, "of all light-facing samples"),
+  column("Edge band %", "edge_band_percent", percentText, "of the samples within 2 pixels of a shadow boundary"),
+  column("Terminator band %", "terminator_band_percent", percentText,
+    "of the samples within 2 pixels of a surface that turns away"),
+  column("Interior %", "interior_percent", percentText, "of all other samples"),
+];
+const costColumns = [
+  column("Lixels used", "lixels_used", countText, "of the light in a frame"),
+  column("Bytes", "bytes", bytesText, "of all maps and tables"),
+];
+
+function techniqueColumns() {
+  const keys = [["Lixels", "lixels"], ["Picture", "size"], ["Executor", "executor"]];
+  return [
+    {...column("Technique", "technique"), title: "as it was typed"},
+    ...keys.filter(([, key]) => differ(run.results, key)).map(([label, key]) => column(label, key)),
+  ];
+}
+
+function summaryColumns(several) {
+  return [
+    ...(several ? [column("Scene", "scene")] : []), ...techniqueColumns(), ...errorColumns,
+    column("Unserved", "unserved", countText, "samples that no map covers, over all views"),
+    column("Footprint p90", "footprint_p90", numberText, "pixels a lixel, exceeded by a tenth of the samples"),
+    ...costColumns, column("Frame ms", "frame_ms", numberText),
+  ];
+}

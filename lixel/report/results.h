@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+// The results of one run, as results.json and report.html tell them. docs/results.schema.json is their form in JSON;
+// percentages are made from the counts there, so that they cannot disagree.
+namespace lixel {
+
+// Counts of light-facing view samples in one part of the picture.
+struct SampleCount
+{
+    std::int64_t samples = 0;
+    std::int64_t misclassified = 0;
+};
+
+// Of a value over the light-facing view samples.
+struct Percentiles
+{
+    double p1 = 0, p10 = 0, p50 = 0, p90 = 0, p99 = 0, max = 0;
+};
+
+// Against another executor that was asked about the same view samples.
+struct Agreement
+{
+    std::string executor;        // the other one
+    double agreementPercent = 0; // samples for which both say the same
+    std::optional<double>
+        sharedMisclassifiedPercent; // of the samples that either got wrong, those that both did; no value: none wrong
+};
+
+// Files of the run's folder, relative to it; empty: not made.
+struct PictureFiles
+{
+    std::string shaded;  // the picture with this technique's shadows
+    std::string error;   // errorPicture() of false_colour.h
+    std::string density; // densityPicture() of false_colour.h
+};
+
+struct PassTime
+{
+    std::string name;
+    double ms = 0;
+};
+
+// All that depends on the clock and the machine.
+struct RowTiming
+{
+    std::optional<double> frameMs; // median of undisturbed frames
+    std::vector<PassTime> passes;  // measured apart, in the order they ran
+    std::optional<double> gpuMs;   // no value on software drivers
+    std::string clock;             // what `ms` was taken with, e.g. "steady_clock after glFinish"
+};
+
+struct RunTiming
+{
+    std::string date; // ISO 8601, UTC
+    std::string host; // processor, cores and driver
+    double totalSeconds = 0;
+};
+
+struct Measurement
+{
+    std::int64_t lightFacing = 0; // view samples that count
+    std::int64_t misclassified = 0;
+    std::int64_t falseShadow = 0; // dark, exactly lit
+    std::int64_t falseLit = 0;    // lit, exactly dark
+    SampleCount edgeBand, terminatorBand, interior;
+    std::int64_t unserved = 0;                          // view samples that no region held
+    std::int64_t lixelsUsed = 0;                        // all lixels drawn or allocated for the light in a frame
+    std::int64_t bytes = 0;                             // of all maps and tables of the light
+    std::optional<Percentiles> footprintPixelsPerLixel; // no value: a technique without a map
+    std::optional<Percentiles> densityLixelsPerPixel;
+    std::optional<Agreement> agreement;
+    PictureFiles pictures;
+    RowTiming timing;
+};
+
+struct Refusal
+{
+    std::string reason;  // the name, e.g. "light_around_scene"
+    std::string message; // one line for people
+};
+
+// One technique, light and view. The members before `outcome`, technique apart, are its key.
+struct ResultRow
+{
+    std::string scene, view, light;
+    std::string techniqueFull; // canonical, with every default
+    std::string lixels;        // the budget: "512x512", or one for each map: "350x350,128x128"
+    std::string size;          // of the picture: "1024x1024"
+    std::string executor;      // "gl" or "trace"
+    std::uint64_t seed = 0;
+    std::string technique; // as it was typed
+    std::variant<Measurement, Refusal> outcome;
+
+    const Measurement* measured() const { return std::get_if<Measurement>(&outcome); }
+    const Refusal* refused() const { return std::get_if<Refusal>(&outcome); }
+};
+
+struct RunResults
+{
+    std::string lixelVersion; // part of every row's key
+    std::string command;      // repeats the run, quoted for a POSIX shell
+    std::uint64_t seed = 0;
+    std::vector<ResultRow> rows; // in any order
+    RunTiming timing;
+};
+
+// By scene, view, light, technique_full, lixels, size, executor, seed; no locale.
+void sortByKey(std::vector<ResultRow>& rows);
+
+} // namespace lixel

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/scene/gltf_file.h"
+
+#include "lixel/scene/input_file.h"
+#include "lixel/scene/uri.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace lixel::gltf {
+namespace {
+
+constexpr std::size_t kMostUnpackedBytes = std::size_t(2) << 30;
+constexpr std::size_t kMostBytesFromNothing = std::size_t(256) << 20;
+constexpr std::size_t kMostOffset = std::size_t(1) << 40;
+constexpr int kMostJsonDepth = 64;
+
+// Extensions that change nothing we read, or that we read.
+constexpr std::array<std::string_view, 4> kKnownExtensions{"KHR_lights_punctual", "KHR_texture_transform",
+                                                           "KHR_mesh_quantization", "KHR_materials_emissive_strength"};
+
+std::uint32_t littleEndian32(std::span<const std::byte> bytes)
+{
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value |= std::to_integer<std::uint32_t>(bytes[i]) << (8 * i);
+    return value;
+}
+
+bool startsWithMagic(std::span<const std::byte> bytes)
+{
+    return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
+}
+
+// "line 3, column 7" of a byte of the text, both counted from 1.
+std::string linePlace(std::string_view text, std::size_t byte)
+{
+    const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t lineStart = before.rfind('\n');
+    return fmt::format("JSON line {}, column {}", line,
+                       before.size() - (lineStart == before.npos ? 0 : lineStart + 1) + 1);
+}
+
+} // namespace
+
+File::File(std::span<const std::byte> bytes, std::string name, std::string baseDirectory)
+    : name_(std::move(name)), baseDirectory_(std::move(baseDirectory))
+{
+    if (bytes.empty()) refuse(name_, "", "is empty");
+    parseJson(startsWithMagic(bytes) ? splitGlb(bytes) : bytes);
+    checkVersionAndExtensions();
+    loadBuffers();
+    loadViews();
+}
+
+// Section 4.4: a header of 12 bytes, then chunks; the first is JSON, the second, if any, the binary buffer.
+std::span<const std::byte> File::splitGlb(std::span<const std::byte> bytes)
+{
+    constexpr std::uint32_t kJson = 0x4e4f534a, kBin = 0x004e4942;
+    if (bytes.size() < 20) refuse(name_, "GLB header", fmt::format("expected 20 bytes, found {}", bytes.size()));
+    if (const std::uint32_t version = littleEndian32(bytes.subspan(4)); version != 2)
+        refuse(name_, "GLB header", fmt::format("expected version 2, found {}", version));
+    const std::size_t length = littleEndian32(bytes.subspan(8));
+    if (length > bytes.size() || length < 20)
+        refuse(name_, "GLB header",
+               fmt::format("expected {} bytes in all, found {}: is the file truncated?", length, bytes.size()));
+
+    std::span<const std::byte> rest = bytes.subspan(12, length - 12), json;
+    for (int chunk = 0; rest.size() >= 8; ++chunk) {
+        const std::size_t size = littleEndian32(rest);
+        const std::uint32_t type = littleEndian32(rest.subspan(4));
+        if (size > rest.size() - 8)
+            refuse(name_, fmt::format("GLB chunk {}", chunk),
+                   fmt::format("expected {} bytes, found {}", size, rest.size() - 8));
+        if (chunk == 0 && type != kJson) refuse(name_, "GLB chunk 0", "expected JSON");
+        if (chunk == 0) json = rest.subspan(8, size);
+        if (chunk == 1 && type == kBin) bin_ = rest.subspan(8, size);
+        rest = rest.subspan(8 + size);
+    }
+    return json;
+}
+
+void File::parseJson(std::span<const std::byte> bytes)
+{
+    std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3); // a byte order mark
+    if (!isUtf8(text)) refuse(name_, "", "expected glTF: a GLB file, or JSON in UTF-8");
+    const nlohmann::json::parser_callback_t limitDepth = [&](int depth, nlohmann::json::parse_event_t,
+                                                             nlohmann::json&) {
+        if (depth > kMostJsonDepth) refuse(name_, "JSON", fmt::format("expected at most {} levels", kMostJsonDepth));
+        return true;
+    };
+    try {
+        json_ = nlohmann::json::parse(text, limitDepth);
+    } catch (const nlohmann::json::parse_error& error) {
+        refuse(name_, linePlace(text, error.byte), "expected valid JSON");
+    } catch (const nlohmann::json::exception&) {
+        refuse(name_, "JSON", "expected numbers that fit a double");
+    }
+    if (!json_.is_object()) refuse(name_, "JSON", "expected an object");
+}
+
+void File::checkVersionAndExtensions() const
+{
+    const auto asset = root().find("asset");
+    if (!asset) refuse(name_, "asset", "expected glTF 2.0, found JSON without 'asset'");
+    const JsonAt version = asset->require("version");
+    if (!version.text().starts_with("2."))
+        version.refuse(fmt::format("expected glTF 2.x, found '{}'", printable(version.text())));
+    const auto required = root().find("extensionsRequired");
+    for (std::size_t i = 0; required && i < required->size(); ++i) {
+        const JsonAt extension = (*required)[i];
+        if (std::find(kKnownExtensions.begin(), kKnownExtensions.end(), extension.text()) == kKnownExtensions.end())
+            extension.refuse(fmt::format("the file needs '{}', which is not supported", printable(extension.text())));
+    }
+}
+
+void File::loadBuffers()
+{
+    for (std::size_t i = 0; i < count("buffers"); ++i) {
+        const JsonAt buffer = element("buffers", int(i));
+        const JsonAt byteLength = buffer.require("byteLength");
+        const std::size_t length = byteLength.integer(1, kMostOffset);
+        std::span<const std::byte> bytes;
+        if (const auto uri = buffer.find("uri")) {
+            ownBuffers_.push_back(readUri(*uri));
+            bytes = ownBuffers_.back();
+            spend(bytes.size(), buffer);
+        } else {
+            if (i > 0 || bin_.empty()) buffer.refuse("expected a 'uri', or to be the binary chunk of a GLB file");
+            bytes = bin_;
+        }
+        if (length > bytes.size())
+            byteLength.refuse(fmt::format("expected at most {}, the bytes that are there", bytes.size()));
+        buffers_.push_back(bytes.first(length));
+    }
+}
+
+void File::loadViews()
+{
+    for (std::size_t i = 0; i < count("bufferViews"); ++i) {
+        const JsonAt view = element("bufferViews", int(i));
+        const std::span<const std::byte> buffer =
+            buffers_.at(std::size_t(view.require("buffer").index(buffers_.size(), "buffers")));
+        const std::size_t offset = view.integerOr("byteOffset", 0, 0, kMostOffset);
+        const std::size_t length = view.require("byteLength").integer(1, kMostOffset);
+        if (offset + length > buffer.size())
+            view.refuse(fmt::format("expected bytes {} to {} within the {} of its buffer", offset, offset + length,
+                                    buffer.size()));
+        views_.push_back({buffer.subspan(offset, length), view.integerOr("byteStride", 0, 4, 252)});
+    }
+}
+
+std::size_t File::count(const char* array) const
+{
+    const auto found = root().find(array);
+    return found ? found->size() : 0;
+}
+
+JsonAt File::element(const char* array, int i) const { return root().require(array)[std::size_t(i)]; }
+
+std::vector<std::byte> File::readUri(const JsonAt& uri) const
+{
+    if (isDataUri(uri.text())) {
+        auto bytes = decodeDataUri(uri.text());
+        if (!bytes) uri.refuse("expected base64 after 'data:...;base64,'");
+        return *std::move(bytes);
+    }
+    const auto path = percentDecoded(uri.text());
+    if (!path) uri.refuse("expected two hexadecimal digits after each '%'");
+    return readNeighbour(baseDirectory_, *path, name_, uri.place());
+}
+
+void File::spend(std::size_t bytes, const JsonAt& where)
+{
+    if (bytes > kMostUnpackedBytes - spent_) where.refuse("expected a scene of at most 2 GiB when unpacked");
+    spent_ += bytes;
+}
+
+void File::spendOnNothing(std::size_t bytes, const JsonAt& where)
+{
+    if (bytes > kMostBytesFromNothing - spentOnNothing_)
+        where.refuse("expected at most 256 MiB of accessors without bytes");
+    spentOnNothing_ += bytes;
+}
+
+} // namespace lixel::gltf

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/scene/image_decode.h"
+
+#include "lixel/scene/input_file.h"
+
+#include <fmt/format.h>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_TGA
+#define STBI_NO_STDIO
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
+#include <stb/stb_image.h>
+
+#include <cstring>
+#include <limits>
+#include <memory>
+
+namespace lixel {
+namespace {
+
+// Deflate cannot make more than 1032 bytes of one (RFC 1951: 258 bytes from two bits); the other formats make fewer.
+constexpr std::size_t kMostPixelBytesPerFileByte = 1100;
+
+struct FreePixels
+{
+    void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
+};
+
+} // namespace
+
+Image<Rgba8> decodeImage(std::span<const std::byte> bytes, RowOrder rows, const std::string& file,
+                         const std::string& place)
+{
+    static_assert(sizeof(Rgba8) == 4);
+    if (bytes.empty() || bytes.size() > std::size_t(std::numeric_limits<int>::max()))
+        refuse(file, place, "expected an image of 1 byte to 2 GiB");
+    const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = int(bytes.size());
+
+    // The header is judged before anything is unpacked.
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(data, size, &width, &height, &channels))
+        refuse(file, place,
+               fmt::format("expected a PNG, JPEG, BMP or TGA image of at most {0}x{0} pixels", kMostImageSide));
+    if (width < 1 || height < 1 || width > kMostImageSide || height > kMostImageSide)
+        refuse(
+            file, place,
+            fmt::format("expected an image of at most {0}x{0} pixels, found {1}x{2}", kMostImageSide, width, height));
+    if (std::size_t(width) * std::size_t(height) / kMostPixelBytesPerFileByte > bytes.size())
+        refuse(file, place, fmt::format("expected {}x{} pixels, found only {} bytes", width, height, bytes.size()));
+
+    const std::unique_ptr<stbi_uc, FreePixels> pixels(stbi_load_from_memory(data, size, &width, &height, &channels, 4));
+    if (!pixels) refuse(file, place, fmt::format("expected a whole image: {}", printable(stbi_failure_reason())));
+    Image<Rgba8> image(width, height);
+    const std::size_t rowBytes = std::size_t(width) * 4;
+    for (int y = 0; y < height; ++y) {
+        const int from = rows == RowOrder::FileFirst ? y : height - 1 - y;
+        std::memcpy(static_cast<void*>(&image(0, y)), pixels.get() + std::size_t(from) * rowBytes, rowBytes);
+    }
+    return image;
+}
+
+} // namespace lixel

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/scene/input_file.h"
+
+#include "lixel/scene/load.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <system_error>
+
+namespace lixel {
+namespace {
+
+constexpr std::uintmax_t kMostFileBytes = std::uintmax_t(4) << 30;
+
+// Length of the UTF-8 sequence that starts at `text`, 0 where there is none (RFC 3629: no overlong forms, no
+// surrogates).
+std::size_t sequenceLength(std::string_view text)
+{
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+    const auto isTail = [&](std::size_t i) { return (byte(i) & 0xc0u) == 0x80u; };
+    const unsigned first = byte(0);
+    if (first < 0x80) return 1;
+    if (first >= 0xc2 && first <= 0xdf) return isTail(1) ? 2 : 0;
+    if (first >= 0xe0 && first <= 0xef) {
+        const bool isOverlong = first == 0xe0 && byte(1) < 0xa0;
+        const bool isSurrogate = first == 0xed && byte(1) > 0x9f;
+        return isTail(1) && isTail(2) && !isOverlong && !isSurrogate ? 3 : 0;
+    }
+    if (first >= 0xf0 && first <= 0xf4) {
+        const bool isOverlong = first == 0xf0 && byte(1) < 0x90;
+        const bool isBeyond = first == 0xf4 && byte(1) > 0x8f;
+        return isTail(1) && isTail(2) && isTail(3) && !isOverlong && !isBeyond ? 4 : 0;
+    }
+    return 0;
+}
+
+} // namespace
+
+void refuse(std::string_view file, std::string_view place, std::string_view expected)
+{
+    if (place.empty()) throw InputError(fmt::format("{}: {}", file, expected));
+    throw InputError(fmt::format("{}: {}: {}", file, place, expected));
+}
+
+std::string printable(std::string_view text)
+{
+    constexpr std::size_t kMost = 60;
+    std::string shown;
+    while (!text.empty() && shown.size() < kMost) {
+        const std::size_t n = sequenceLength(text);
+        const bool isControl = n == 1 && (static_cast<unsigned char>(text[0]) < 0x20 || text[0] == 0x7f);
+        if (n == 0 || isControl) shown += '?';
+        else shown += text.substr(0, n);
+        text.remove_prefix(n == 0 ? 1 : n);
+    }
+    return text.empty() ? shown : shown + "...";
+}
+
+bool isUtf8(std::string_view text)
+{
+    while (!text.empty()) {
+        const std::size_t n = sequenceLength(text);
+        if (n == 0) return false;
+        text.remove_prefix(n);
+    }
+    return true;
+}
+
+std::string sceneName(const std::string& path) { return printable(std::filesystem::path(path).stem().string()); }
+
+std::vector<std::byte> readInputFile(const std::string& path)
+{
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found) refuse(path, "", "no such file");
+    if (error) refuse(path, "", "cannot be read: " + error.message());
+    if (std::filesystem::is_directory(status)) refuse(path, "", "is a directory; expected a file");
+    if (!std::filesystem::is_regular_file(status)) refuse(path, "", "expected a regular file");
+
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (error) refuse(path, "", "cannot be read: " + error.message());
+    if (size == 0) refuse(path, "", "is empty");
+    if (size > kMostFileBytes) refuse(path, "", "expected at most 4 GiB");
+
+    errno = 0;
+    std::ifstream stream(path, std::ios::binary);
+    std::vector<std::byte> bytes(stream ? std::size_t(size) : 0);
+    // The file's bytes are read as what they are; std::byte and char may alias anything.
+    if (!stream || !stream.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size)))
+        refuse(path, "", fmt::format("cannot be read: {}", errno ? std::strerror(errno) : "unexpected end of file"));
+    return bytes;
+}
+
+std::vector<std::byte> readNeighbour(const std::string& baseDirectory, const std::string& relative,
+                                     const std::string& file, const std::string& place)
+{
+    const std::string shown = printable(relative);
+    for (const char c : relative)
+        if (static_cast<unsigned char>(c) < 0x20)
+            refuse(file, place, fmt::format("expected a file name, found '{}'", shown));
+    if (relative.empty()) refuse(file, place, "expected a file name");
+    if (std::filesystem::path(relative).is_absolute() || relative.find("://") != std::string::npos)
+        refuse(file, place, fmt::format("expected a file beside this one, found '{}'", shown));
+    if (baseDirectory.empty())
+        refuse(file, place, fmt::format("needs the file '{}', which is not at hand here", shown));
+    try {
+        return readInputFile((std::filesystem::path(baseDirectory) / relative).string());
+    } catch (const InputError& problem) {
+        refuse(file, place, problem.what());
+    }
+}
+
+} // namespace lixel

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Where the OpenGL passes bind what their shaders read. Read by C++ and by GLSL.
+#ifndef LIXEL_SHARED_GL_SLOTS_H
+#define LIXEL_SHARED_GL_SLOTS_H
+#include "lixel/shared/glsl.h"
+
+LX_SHARED_BEGIN
+
+// Vertex attributes of surfaces.
+const int kAttributePosition = 0;
+const int kAttributeUv = 1;
+const int kAttributeColour = 2;
+const int kAttributeNormal = 3;
+
+// Shader storage buffers.
+const int kStorageIndices = 0;
+const int kStoragePositions = 1;
+const int kStorageTriangleSource = 2;
+const int kStorageTriangleMaterial = 3;
+const int kStorageMaterials = 4;
+const int kStoragePoints = 5;
+const int kStorageVisibility = 6;
+const int kStorageRegions = 7;
+const int kStorageLights = 8;
+const int kStorageHalfSpaces = 9;
+const int kStorageShadingLights = 10;
+
+// Uniform buffers.
+const int kUniformView = 0;
+const int kUniformBatch = 1;
+
+// Texture units.
+const int kUnitSurface = 0;
+const int kUnitTriangles = 1;
+const int kUnitBaseColour = 2;
+const int kUnitNormal = 3;
+const int kUnitAtlas = 4;
+
+// Image units.
+const int kImagePicture = 0;
+
+LX_SHARED_END
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// From a receiver to its visibility through one region: one text for the CPU executor and for GLSL.
+//
+// The includer provides the map: in GLSL a function `float lxStoredDepth(int x, int y, int layer)` before this file, in C++ a
+// callable of the same form as the template argument Map.
+#ifndef LIXEL_SHARED_LOOKUP_H
+#define LIXEL_SHARED_LOOKUP_H
+#include "lixel/shared/shadow_tables.h"
+
+LX_SHARED_BEGIN
+
+// A receiver in the light image.
+struct LxReceiver
+{
+    vec2 lixel;         // continuous
+    float depth;        // reversed: 1 near, 0 far
+    vec2 depthPerLixel; // of the receiver's plane
+    float slack;        // depth that rounding may have moved the receiver or the map by
+    float isInside;     // 1 inside the region's rectangle, else 0
+};
+
+// Rounding of one float product and sum, with room for the matrix, the point and the rasterizer's interpolation.
+const float LX_ROUNDING = 6.0e-7f;
+// Lixels by which a rasterizer moves vertices when it snaps them to its grid of 1/256, and as much for its own rounding.
+const float LX_SNAP = 0.0078125f;
+// Half a lixel: from a lixel's centre, where the stored depth was taken, to its border.
+const float LX_HALF_LIXEL = 0.5f;
+
+LX_FN vec3 lxAnyPerpendicular(vec3 n)
+{
+    vec3 other = abs(n.x) < 0.6f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
+    return normalize(cross(n, other));
+}
+
+LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
+{
+    LxReceiver r;
+    mat4 m = region.lightClipFromLocal;
+    vec4 clip = m * vec4(positionLocal, 1.0f);
+    float perW = 1.0f / clip.w;
+    vec3 ndc = vec3(clip.x * perW, clip.y * perW, clip.z * perW);
+    r.lixel = vec2(ndc.x * region.lixelFromNdc.x + region.lixelFromNdc.z, ndc.y * region.lixelFromNdc.y + region.lixelFromNdc.w);
+    r.depth = ndc.z;
+    bool inside = clip.w > 0.0f && r.lixel.x >= region.rectangle.x && r.lixel.y >= region.rectangle.y &&
+                  r.lixel.x < region.rectangle.z && r.lixel.y < region.rectangle.w;
+    r.isInside = inside ? 1.0f : 0.0f;
+
+    // The receiver's plane in (lixel x, lixel y, depth): the light image along two tangents, d(clip / w) = (d clip - ndc d w) / w.
+    vec3 t1 = lxAnyPerpendicular(normal);
+    vec3 t2 = cross(normal, t1);
+    vec4 c1 = m * vec4(t1, 0.0f);
+    vec4 c2 = m * vec4(t2, 0.0f);
+    vec3 a = vec3((c1.x - ndc.x * c1.w) * region.lixelFromNdc.x, (c1.y - ndc.y * c1.w) * region.lixelFromNdc.y, c1.z - ndc.z * c1.w) * perW;
+    vec3 b = vec3((c2.x - ndc.x * c2.w) * region.lixelFromNdc.x, (c2.y - ndc.y * c2.w) * region.lixelFromNdc.y, c2.z - ndc.z * c2.w) * perW;
+    vec3 across = cross(a, b);
+    // Edge-on to the light the plane has any depth. Depths span 1, so half a lixel of such a slope clears everything; taps must
+    // not take that back by slopes that were cut, so the receiver is cleared outright.
+    float steepest = 4.0f;
+    bool isEdgeOn = max(abs(across.x), abs(across.y)) >= steepest * abs(across.z);
+    float gx = isEdgeOn ? 0.0f : across.x / across.z;
+    float gy = isEdgeOn ? 0.0f : across.y / across.z;
+    r.depthPerLixel = vec2(-gx, -gy);
+
+    // What rounding may do: terms of each row against its sum.
+    vec3 p = vec3(abs(positionLocal.x), abs(positionLocal.y), abs(positionLocal.z));
+    float sumX = abs(m[0].x) * p.x + abs(m[1].x) * p.y + abs(m[2].x) * p.z + abs(m[3].x);
+    float sumY = abs(m[0].y) * p.x + abs(m[1].y) * p.y + abs(m[2].y) * p.z + abs(m[3].y);
+    float sumZ = abs(m[0].z) * p.x + abs(m[1].z) * p.y + abs(m[2].z) * p.z + abs(m[3].z);
+    float sumW = abs(m[0].w) * p.x + abs(m[1].w) * p.y + abs(m[2].w) * p.z + abs(m[3].w);
+    float errorX = (sumX + abs(ndc.x) * sumW) * abs(perW) * region.lixelFromNdc.x;
+    float errorY = (sumY + abs(ndc.y) * sumW) * abs(perW) * region.lixelFromNdc.y;
+    float errorZ = (sumZ + abs(ndc.z) * sumW) * abs(perW);
+    r.slack = isEdgeOn ? steepest : LX_ROUNDING * (errorZ + abs(gx) * errorX + abs(gy) * errorY);
+    return r;
+}
+
+// The depth that a stored depth must exceed (be nearer than) to shadow the receiver, for the tap whose lixel has its centre at
+// `centre`: the receiver's plane there, nearer by what it changes over half a lixel. The plane alone keeps planes and convex
+// bodies free of shadows of their own; the half lixel covers bodies that curve towards the light within one. Not below 0,
+// which is what an empty lixel holds.
+LX_FN float lxShadowingDepth(LxReceiver r, vec2 centre)
+{
+    float planeDepth = r.depth + r.depthPerLixel.x * (centre.x - r.lixel.x) + r.depthPerLixel.y * (centre.y - r.lixel.y);
+    float margin = (abs(r.depthPerLixel.x) + abs(r.depthPerLixel.y)) * (LX_HALF_LIXEL + LX_SNAP);
+    return max(planeDepth + margin + r.slack, 0.0f);
+}
+
+// Visibility: the share of a square grid of taps, `side` by `side` lixels one lixel apart, that are lit. Taps stop at the
+// region's rectangle.
+#ifdef __cplusplus
+template <typename Map>
+inline float lxVisibility(ShadowRegion region, LxReceiver r, int side, const Map& lxStoredDepth)
+#else
+float lxVisibility(ShadowRegion region, LxReceiver r, int side)
+#endif
+{
+    float lit = 0.0f;
+    float first = -0.5f * float(side - 1);
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+            float x = clamp(floor(r.lixel.x + first + float(i)), region.rectangle.x, region.rectangle.z - 1.0f);
+            float y = clamp(floor(r.lixel.y + first + float(j)), region.rectangle.y, region.rectangle.w - 1.0f);
+            float stored = lxStoredDepth(int(x), int(y), int(region.place.x));
+            lit += stored > lxShadowingDepth(r, vec2(x + 0.5f, y + 0.5f)) ? 0.0f : 1.0f;
+        }
+    }
+    return lit / float(side * side);
+}
+
+LX_SHARED_END
+
+#endif

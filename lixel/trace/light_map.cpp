@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/trace/light_map.h"
+
+#include "lixel/base/assert.h"
+#include "lixel/plan/clip_convention.h"
+#include "lixel/trace/parallel.h"
+#include "lixel/trace/ray_triangle.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace lixel {
+namespace {
+
+// Lixels are traced in tiles of 4 x 4, whose rays walk through the tree together.
+constexpr int kTile = 4;
+constexpr std::size_t kTileLixels = kTile * kTile;
+
+bool keepsAlpha(const void* scene, std::uint32_t triangle, float u, float v)
+{
+    return static_cast<const TraceScene*>(scene)->keeps(triangle, u, v);
+}
+
+class RegionTracer
+{
+public:
+    RegionTracer(const TraceScene& scene, const PlannedRegion& region)
+        : scene_(scene),
+          image_(region.lightClipFromLocal, region.rectangle),
+          depthFromLocal_(toHost(region.lightClipFromLocal, kExecutorConvention)),
+          rectangle_(region.rectangle)
+    {
+    }
+
+    void traceTile(int x0, int y0, Image<float>& layer) const
+    {
+        std::array<LightRay, kTileLixels> rays;
+        std::array<Interval, kTileLixels> inScene;
+        std::array<SearchRay, kTileLixels> search;
+        std::array<SearchHit, kTileLixels> hits;
+        for (std::size_t i = 0; i < kTileLixels; ++i) {
+            const int x = x0 + int(i % kTile), y = y0 + int(i / kTile);
+            const bool isOwned = x < rectangle_.x1 && y < rectangle_.y1;
+            const std::optional<LightRay> ray = isOwned ? image_.rayThrough({x + 0.5, y + 0.5}) : std::nullopt;
+            rays[i] = ray.value_or(LightRay{});
+            inScene[i] = ray ? beforeLight(*ray) : Interval{0, -1};
+            search[i] = searchRay(rays[i].originLocal, rays[i].directionLocal, inScene[i]);
+        }
+        scene_.embree().nearest(search, hits, keepsAlpha, &scene_);
+        for (std::size_t i = 0; i < kTileLixels; ++i) {
+            const int x = x0 + int(i % kTile), y = y0 + int(i / kTile);
+            if (x >= rectangle_.x1 || y >= rectangle_.y1) continue;
+            layer(x, y) = hits[i].triangle == kNoTriangle ? 0.0f : depthOf(hits[i], rays[i], inScene[i].first);
+        }
+    }
+
+private:
+    // The part of the ray's line that is lit: within the scene, from the light on, which is where w is 0 or infinitely far.
+    Interval beforeLight(const LightRay& ray) const
+    {
+        const double w = (depthFromLocal_ * point(ray.originLocal)).w;
+        const double wAlong = (depthFromLocal_ * direction(ray.directionLocal)).w;
+        Interval lit{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+        if (wAlong > 0) lit.first = -w / wAlong;
+        else if (wAlong < 0) lit.last = -w / wAlong;
+        else if (!(w > 0)) return {0, -1};
+        return clipToBox(ray.originLocal, ray.directionLocal, scene_.searchBoxLocal(), lit);
+    }
+
+    // Found in floats, a triangle may be missed by a little in double; its plane goes on, but its depths do not.
+    float depthOf(const SearchHit& hit, const LightRay& ray, double start) const
+    {
+        const Corners corners = scene_.corners(hit.triangle);
+        const double searched = start + double(hit.t) / length(ray.directionLocal);
+        const double t = meetPlane(ray.originLocal, ray.directionLocal, corners).value_or(searched);
+        const Vec3d onPlane = ray.originLocal + t * ray.directionLocal;
+        const Vec4d clip = depthFromLocal_ * point(drawnInto(corners, onPlane, 0).value_or(onPlane));
+        return clip.w > 0 ? float(std::clamp(clip.z / clip.w, 0.0, 1.0)) : 1.0f;
+    }
+
+    const TraceScene& scene_;
+    LightImage image_;
+    Mat4d depthFromLocal_;
+    LixelRectangle rectangle_;
+};
+
+} // namespace
+
+void traceLightMap(const TraceScene& scene, const PlannedRegion& region, Image<float>& layer)
+{
+    const LixelRectangle& r = region.rectangle;
+    LX_ASSERT(r.x0 >= 0 && r.y0 >= 0 && r.x1 <= layer.width() && r.y1 <= layer.height());
+    const RegionTracer tracer(scene, region);
+    const std::size_t tileRows = std::size_t(r.height() + kTile - 1) / kTile;
+    forEachBlock(tileRows, 4, [&](std::size_t first, std::size_t last) {
+        for (std::size_t row = first; row < last; ++row)
+            for (int x = r.x0; x < r.x1; x += kTile) tracer.traceTile(x, r.y0 + int(row) * kTile, layer);
+    });
+}
+
+} // namespace lixel

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/trace/trace_executor.h"
+
+#include "lixel/base/assert.h"
+#include "lixel/shared/lookup.h"
+#include "lixel/trace/light_map.h"
+#include "lixel/trace/parallel.h"
+
+#include <span>
+
+namespace lixel {
+namespace {
+
+shared::vec3 toShared(Vec3f a) { return {a.x, a.y, a.z}; }
+
+bool isWithinHalfSpaces(const FramePlan& plan, const shared::ShadowRegion& region, shared::vec3 positionLocal)
+{
+    const std::span<const shared::vec4> all = plan.halfSpaceTable;
+    for (const shared::vec4& h : all.subspan(std::size_t(region.place.y), std::size_t(region.place.z)))
+        if (!(h.x * positionLocal.x + h.y * positionLocal.y + h.z * positionLocal.z + h.w >= 0)) return false;
+    return true;
+}
+
+} // namespace
+
+TracedAtlas traceAtlas(const TraceScene& scene, const FramePlan& plan)
+{
+    LX_ASSERT(scene.originWorld() == plan.originWorld);
+    TracedAtlas atlas(std::size_t(plan.layers), Image<float>(plan.atlas.width, plan.atlas.height));
+    for (const ShadowPlan& light : plan.lights)
+        for (const PlannedRegion& region : light.regions)
+            traceLightMap(scene, region, atlas[std::size_t(region.rectangle.layer)]);
+    return atlas;
+}
+
+Visibility lookUp(const FramePlan& plan, const TracedAtlas& atlas, const ViewSamples& samples, std::size_t light)
+{
+    LX_ASSERT(samples.originWorld == plan.originWorld && light < plan.lightTable.size());
+    const auto storedDepth = [&](int x, int y, int layer) { return atlas[std::size_t(layer)](x, y); };
+    const shared::vec4 served = plan.lightTable[light].regions;
+    const std::span<const shared::ShadowRegion> allRegions = plan.regionTable;
+    const std::span<const shared::ShadowRegion> regions =
+        allRegions.subspan(std::size_t(served.x), std::size_t(served.y));
+    Visibility visibility{std::vector<float>(samples.size(), 1.0f), std::vector<std::uint8_t>(samples.size(), 1)};
+    forEachBlock(samples.size(), 4096, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const shared::vec3 positionLocal = toShared(samples.positionLocal[i]);
+            for (const shared::ShadowRegion& region : regions) {
+                if (!isWithinHalfSpaces(plan, region, positionLocal)) continue;
+                const shared::LxReceiver receiver =
+                    shared::lxReceive(region, positionLocal, toShared(samples.normal[i]));
+                if (receiver.isInside == 0) continue;
+                visibility.value[i] = shared::lxVisibility(region, receiver, plan.lookup.tapsPerSide, storedDepth);
+                visibility.unserved[i] = 0;
+                break;
+            }
+        }
+    });
+    return visibility;
+}
+
+std::vector<Visibility> runTraced(const TraceScene& scene, const FramePlan& plan, const ViewSamples& samples)
+{
+    const TracedAtlas atlas = traceAtlas(scene, plan);
+    std::vector<Visibility> visibility;
+    for (std::size_t light = 0; light < plan.lights.size(); ++light)
+        visibility.push_back(lookUp(plan, atlas, samples, light));
+    return visibility;
+}
+
+} // namespace lixel

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/base/rectangle.h"
+
+#include "support/random_cases.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <vector>
+
+namespace lixel {
+namespace {
+
+using test::forEachCase;
+using test::Rng;
+
+std::vector<Vec2d> anyPoints(Rng& rng)
+{
+    std::vector<Vec2d> points;
+    const bool onGrid = rng.chance(0.3); // many in line, many the same
+    const double flat = rng.logUniform(1e-3, 1), angle = rng.uniform(0, 6.3);
+    for (int i = rng.integer(1, 60); i > 0; --i) {
+        const Vec2d p = onGrid ? Vec2d{double(rng.integer(-3, 3)), double(rng.integer(-3, 3))}
+                               : Vec2d{rng.uniform(-1, 1), flat * rng.uniform(-1, 1)};
+        points.push_back({std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y});
+    }
+    return points;
+}
+
+std::vector<Vec2d> hullOf(std::vector<Vec2d> points)
+{
+    std::vector<Vec2d> hull(points.size() + 1);
+    hull.resize(convexHull(points, hull));
+    return hull;
+}
+
+TEST(ConvexHull, HoldsEveryPointAndTurnsLeftAtEveryCorner)
+{
+    forEachCase(test::kCases, [](Rng& rng) {
+        const std::vector<Vec2d> points = anyPoints(rng), hull = hullOf(points);
+        for (std::size_t i = 0; i < hull.size() && hull.size() > 2; ++i) {
+            const Vec2d a = hull[i], b = hull[(i + 1) % hull.size()], c = hull[(i + 2) % hull.size()];
+            EXPECT_GT(cross(b - a, c - b), 0);
+            for (const Vec2d& p : points) EXPECT_GE(cross(b - a, p - a), -1e-12);
+        }
+    });
+}
+
+TEST(MinimumAreaRectangle, HoldsEveryPointHasASideOnTheHullAndIsNoLargerThanAnyTriedAngle)
+{
+    forEachCase(test::kCases, [](Rng& rng) {
+        const std::vector<Vec2d> points = anyPoints(rng), hull = hullOf(points);
+        const OrientedRectangle r = minimumAreaRectangle(hull);
+        const Vec2d side{-r.axis.y, r.axis.x};
+        for (const Vec2d& p : points) {
+            EXPECT_LE(std::abs(dot(r.axis, p - r.centre)), r.halfSize.x + 1e-12);
+            EXPECT_LE(std::abs(dot(side, p - r.centre)), r.halfSize.y + 1e-12);
+        }
+        if (hull.size() < 3) return;
+        double closest = 1;
+        for (std::size_t i = 0; i < hull.size(); ++i) {
+            const Vec2d edge = hull[(i + 1) % hull.size()] - hull[i];
+            closest = std::min(closest, std::abs(cross(r.axis, edge)) / length(edge));
+        }
+        EXPECT_LT(closest, 1e-12);
+        for (int i = 0; i < 90; ++i) {
+            const double angle = i * std::numbers::pi / 180;
+            EXPECT_LE(r.area(), rectangleAlong(points, {std::cos(angle), std::sin(angle)}).area() + 1e-12);
+        }
+    });
+}
+
+TEST(MinimumAreaRectangle, OfAPointOrALineIsThatPointOrLine)
+{
+    const std::vector<Vec2d> one{{2, 3}}, line{{0, 0}, {3, 4}};
+    EXPECT_EQ(minimumAreaRectangle(one).area(), 0);
+    const OrientedRectangle r = minimumAreaRectangle(line);
+    EXPECT_NEAR(r.halfSize.x, 2.5, 1e-15);
+    EXPECT_NEAR(r.halfSize.y, 0, 1e-15);
+}
+
+} // namespace
+} // namespace lixel

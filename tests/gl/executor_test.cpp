@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "graphics.h"
+#include "shadow_drawer.h"
+
+#include "lixel/gl/device/objects.h"
+#include "lixel/gl/executor.h"
+#include "lixel/trace/exact_visibility.h"
+#include "lixel/trace/trace_view_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace lixel::test {
+namespace {
+
+class ExecutorTest : public GlTest
+{
+};
+
+struct Setting
+{
+    SmallScene scene;
+    View view;
+    std::vector<Light> lights;
+    FramePlan plan;
+    CasterBuffers casters;
+};
+
+Setting anySetting(Rng& rng, int lights, LixelSize lixels, int width, int height)
+{
+    Setting s;
+    s.scene = anyObjectsOnAFloor(rng, 1);
+    s.view = anyViewOf(rng, {}, 1, width, height);
+    while (int(s.lights.size()) < lights) {
+        s.lights.push_back(anyLightOn(rng, {}, 1));
+        if (planFor(s.scene, s.view, {&s.lights.back(), 1}, lixels).lights[0].refused) s.lights.pop_back();
+    }
+    s.plan = planFor(s.scene, s.view, s.lights, lixels);
+    s.casters = s.scene.casters();
+    s.casters.version = rng.bits() | 1;
+    return s;
+}
+
+TEST_F(ExecutorTest, BothExecutorsAgreeOnTheSameSamples)
+{
+    GlExecutor executor;
+    std::size_t all = 0, differing = 0;
+    forEachCase(12, [&](Rng& rng) {
+        const Setting s = anySetting(rng, 2, {128, 128}, 160, 120);
+        const ViewSamples samples = executor.viewSamples(s.casters, s.view);
+        const std::vector<Visibility> drawn = executor.run(s.plan, s.casters, samples);
+        const std::vector<Visibility> traced = runTraced(TraceScene(s.casters), s.plan, samples);
+        for (std::size_t light = 0; light < s.lights.size(); ++light)
+            for (std::size_t i = 0; i < samples.size(); ++i) {
+                if (!isLightFacing(s.lights[light], {}, toDouble(samples.positionLocal[i]),
+                                   toDouble(samples.normal[i])))
+                    continue;
+                ++all;
+                differing += drawn[light].value[i] != traced[light].value[i];
+            }
+    });
+    std::printf("%zu of %zu differ\n", differing, all);
+    EXPECT_LT(double(differing), 1e-3 * double(all));
+}
+
+TEST_F(ExecutorTest, AFrameOnTheDeviceIsThePictureOfItsSamplesAndTheirVisibility)
+{
+    GlExecutor executor;
+    forEachCase(6, [&](Rng& rng) {
+        const Setting s = anySetting(rng, 3, {64, 64}, rng.integer(1, 90), rng.integer(1, 70));
+        const CasterSource source = s.casters;
+        const Image<Rgba8> whole = executor.render({s.casters, source, s.view, s.plan, s.lights});
+        const ViewSamples samples = executor.viewSamples(s.casters, s.view);
+        const std::vector<Visibility> visibility = executor.run(s.plan, source, samples);
+        const Image<Rgba8> inSteps = executor.shade(s.casters, s.view, s.lights, samples, visibility);
+        ASSERT_EQ(whole.width(), s.view.width);
+        ASSERT_EQ(whole.height(), s.view.height);
+        EXPECT_TRUE(std::ranges::equal(whole.data(), inSteps.data(), [](Rgba8 a, Rgba8 b) {
+            return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
+        }));
+    });
+}
+
+TEST_F(ExecutorTest, NothingIsMadeAfterTheFirstFrameAndTheSameFrameIsTheSamePicture)
+{
+    GlExecutor executor;
+    Rng rng(11);
+    const Setting s = anySetting(rng, 4, {64, 64}, 101, 57);
+    const CasterSource source = s.casters;
+    const GlExecutor::Frame frame{s.casters, source, s.view, s.plan, s.lights};
+    const Image<Rgba8> first = executor.render(frame);
+    const std::uint64_t before = gl::objectsMade();
+    for (int i = 0; i < 4; ++i) {
+        const Image<Rgba8> again = executor.render(frame);
+        EXPECT_EQ(std::memcmp(again.data().data(), first.data().data(), first.data().size() * sizeof(Rgba8)), 0);
+    }
+    EXPECT_EQ(gl::objectsMade(), before);
+}
+
+TEST_F(ExecutorTest, ThirtyTwoLightsEachDarkenOnlyTheirOwn)
+{
+    GlExecutor executor;
+    Rng rng(5);
+    const Setting s = anySetting(rng, 32, {48, 48}, 77, 33);
+    const ViewSamples samples = executor.viewSamples(s.casters, s.view);
+    const std::vector<Visibility> together = executor.run(s.plan, s.casters, samples);
+    ASSERT_EQ(together.size(), 32u);
+    for (std::size_t i = 0; i < s.lights.size(); ++i) {
+        const FramePlan alone = planFor(s.scene, s.view, {&s.lights[i], 1}, {48, 48});
+        EXPECT_EQ(executor.run(alone, s.casters, samples)[0].value, together[i].value) << "light " << i;
+    }
+}
+
+TEST_F(ExecutorTest, PicturesAndMapsOfAnySizeWorkDownToOnePixelAndOneLixel)
+{
+    GlExecutor executor;
+    Rng rng(2);
+    for (const auto [width, height, lixels] : {std::array{1, 1, 1}, std::array{3, 1, 2}, std::array{1, 17, 5},
+                                               std::array{255, 2, 33}, std::array{65, 63, 129}}) {
+        Setting s = anySetting(rng, 1, {lixels, lixels + 3}, width, height);
+        const ViewSamples samples = executor.viewSamples(s.casters, s.view);
+        const Visibility visibility = executor.run(s.plan, s.casters, samples)[0];
+        EXPECT_EQ(visibility.value.size(), samples.size());
+        const Image<Rgba8> picture = executor.shade(s.casters, s.view, s.lights, samples, {&visibility, 1});
+        EXPECT_EQ(picture.width(), width);
+        EXPECT_EQ(picture.height(), height);
+    }
+}
+
+TEST_F(ExecutorTest, WhatIsLargerThanTheDeviceIsRefusedByName)
+{
+    GlExecutor executor;
+    Rng rng(2);
+    Setting s = anySetting(rng, 1, {16, 16}, 8, 8);
+    const ViewSamples samples = executor.viewSamples(s.casters, s.view);
+    FramePlan large = s.plan;
+    large.atlas.width = 1 << 20;
+    EXPECT_THROW(executor.run(large, s.casters, samples), gl::GraphicsError);
+    s.view.width = 1 << 20;
+    EXPECT_THROW(executor.viewSamples(s.casters, s.view), gl::GraphicsError);
+    s.view.width = 8;
+    EXPECT_EQ(executor.viewSamples(s.casters, s.view).size(), samples.size());
+}
+
+TEST_F(ExecutorTest, TwoExecutorsTakeTurns)
+{
+    Rng rng(9);
+    const Setting s = anySetting(rng, 1, {32, 32}, 40, 30);
+    GlExecutor first, second;
+    const ViewSamples a = first.viewSamples(s.casters, s.view), b = second.viewSamples(s.casters, s.view);
+    EXPECT_EQ(a.positionLocal, b.positionLocal);
+    EXPECT_EQ(first.run(s.plan, s.casters, a)[0].value, second.run(s.plan, s.casters, b)[0].value);
+    second = GlExecutor();
+    EXPECT_EQ(first.viewSamples(s.casters, s.view).triangle, second.viewSamples(s.casters, s.view).triangle);
+}
+
+TEST_F(ExecutorTest, AFrameHasATimeAndEachPassItsOwn)
+{
+    GlExecutor executor;
+    Rng rng(4);
+    const Setting s = anySetting(rng, 1, {64, 64}, 64, 48);
+    const CasterSource source = s.casters;
+    const FrameTimes times = executor.measure({s.casters, source, s.view, s.plan, s.lights}, 3);
+    EXPECT_GT(times.frameMs, 0);
+    std::vector<std::string> names;
+    for (const FrameTimes::Pass& pass : times.passes) names.push_back(pass.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"view", "gather", "light depth", "lookup", "shade"}));
+    EXPECT_EQ(times.gpuMs.has_value(), !executor.isSoftware());
+}
+
+} // namespace
+} // namespace lixel::test

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/gl/device/device.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <optional>
+
+namespace lixel::test {
+
+// One context for all tests of the program; nothing, with the reason in graphicsRefusal(), where there is none.
+gl::Device* graphics();
+const std::string& graphicsRefusal();
+bool requiresGraphics(); // LIXEL_REQUIRE_GL=1
+
+// A test on the device: skipped aloud without graphics, failed by errors and high-severity messages of OpenGL.
+class GlTest : public ::testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (graphics()) {
+            graphics()->makeCurrent();
+            graphics()->takeMessages();
+            return;
+        }
+        if (requiresGraphics()) FAIL() << graphicsRefusal();
+        GTEST_SKIP() << "no graphics: " << graphicsRefusal();
+    }
+    void TearDown() override
+    {
+        if (!graphics()) return;
+        for (const std::string& message : graphics()->takeMessages()) ADD_FAILURE() << "OpenGL: " << message;
+    }
+    gl::Device& device() { return *graphics(); }
+};
+
+} // namespace lixel::test

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/gl/passes/light_depth_pass.h"
+#include "lixel/gl/passes/lookup_pass.h"
+#include "lixel/plan/shadow_plan.h"
+#include "lixel/trace/trace_executor.h"
+#include "small_scenes.h"
+
+#include <variant>
+
+namespace lixel::test {
+
+// The passes from a plan to visibility, with what they keep from frame to frame.
+struct ShadowDrawer
+{
+    gl::Device& device;
+    gl::Surfaces surfaces{device};
+    gl::PlanTables tables;
+    gl::ShadowAtlas atlas;
+    gl::LightDepthPass depthPass{device};
+    gl::LookupPass lookupPass;
+    gl::PointList points{device};
+    gl::VisibilityList visibility;
+
+    explicit ShadowDrawer(gl::Device& on) : device(on) {}
+    TracedAtlas drawAtlas(const FramePlan& plan, const CasterSource& casters);
+
+    void writeAtlas(const FramePlan& plan, const TracedAtlas& maps);
+    std::vector<Visibility> lookUp(const FramePlan& plan, const ViewSamples& samples);
+};
+
+Light anyLightOn(Rng& rng, Vec3d centreWorld, double half);
+
+// Lights whose plan is refused stay in it.
+FramePlan planFor(const SmallScene& scene, const View& view, std::span<const Light> lights, LixelSize lixels,
+                  const MapTechnique& technique = {});
+
+} // namespace lixel::test

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/technique.h"
+
+#include "support/random_cases.h"
+
+#include <gtest/gtest.h>
+
+namespace lixel {
+namespace {
+
+std::string canonical(std::string_view text)
+{
+    const auto technique = parseTechnique(text);
+    return technique ? toString(*technique) : technique.error();
+}
+
+TEST(TechniqueText, PartsLeftOutTakeTheirDefaultAndOrderIsFree)
+{
+    EXPECT_EQ(canonical("focused"), "whole+focused+depths(1)+pcf(1)");
+    EXPECT_EQ(canonical("pcf(9)"), "whole+focused+depths(1)+pcf(9)");
+    EXPECT_EQ(canonical("pcf(9)+uniform"), canonical("uniform + pcf(9)"));
+    EXPECT_EQ(canonical("exact-area"), "exact-area(64)");
+}
+
+TEST(TechniqueText, ColonsStandForParenthesesAndKeysForPositions)
+{
+    EXPECT_EQ(canonical("pcf:16"), canonical("pcf(16)"));
+    EXPECT_EQ(canonical("pcf(k=16)"), canonical("pcf( 16 )"));
+    EXPECT_EQ(canonical("exact-area:4"), "exact-area(4)");
+}
+
+TEST(TechniqueText, TheCanonicalFormParsesBackToTheSameValue)
+{
+    for (const char* text : {"focused", "uniform+pcf(25)", "whole+uniform", "exact", "exact-area(16)", "pcf:4"}) {
+        const Technique technique = *parseTechnique(text);
+        EXPECT_EQ(*parseTechnique(toString(technique)), technique) << text;
+    }
+}
+
+TEST(TechniqueText, WhatIsWrongIsOneLineThatQuotesIt)
+{
+    for (const char* text : {"", "nosuch", "focused+uniform", "pcf(3)", "pcf(9", "pcf)9(", "pcf(1,2)", "exact+focused", "focused(2)",
+                             "+", "depths(2)", "pcf(k=)", "pcf(n=4)", "exact-area(0)", "exact-area(99999999999999999999)", "pcf()"}) {
+        const auto technique = parseTechnique(text);
+        ASSERT_FALSE(technique) << text;
+        EXPECT_NE(technique.error().find(text), std::string::npos);
+        EXPECT_EQ(technique.error().find('\n'), std::string::npos);
+    }
+}
+
+TEST(TechniqueText, ListsSplitAtCommasOutsideParenthesesOnly)
+{
+    EXPECT_EQ(*splitTechniques("focused,depths(1,max), pcf(9)"), (std::vector<std::string>{"focused", "depths(1,max)", "pcf(9)"}));
+    EXPECT_FALSE(splitTechniques("focused,,exact"));
+    EXPECT_FALSE(splitTechniques("focused,(exact"));
+}
+
+TEST(TechniqueText, RandomTextNeverCrashes)
+{
+    test::forEachCase(test::kCases, [](test::Rng& rng) {
+        static constexpr std::string_view kPieces[] = {"focused", "pcf", "(", ")", ":", ",", "+", "=", " ", "9", "k", "-", "exact", "\xff"};
+        std::string text;
+        for (int i = rng.integer(0, 12); i > 0; --i) text += kPieces[std::size_t(rng.integer(0, 13))];
+        if (const auto technique = parseTechnique(text)) {
+            EXPECT_EQ(*parseTechnique(toString(*technique)), *technique) << text;
+        }
+        (void)splitTechniques(text);
+    });
+}
+
+} // namespace
+} // namespace lixel

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/report/json.h"
+
+#include "sample_results.h"
+#include "schema_check.h"
+#include "support/random_cases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <random>
+
+namespace lixel::test {
+namespace {
+
+using Json = nlohmann::json;
+
+Measurement& firstMeasured(RunResults& run)
+{
+    for (ResultRow& row : run.rows)
+        if (auto* measured = std::get_if<Measurement>(&row.outcome)) return *measured;
+    throw std::logic_error("no row is measured");
+}
+
+std::string withoutTiming(const std::string& text)
+{
+    Json json = Json::parse(text);
+    json.erase("timing");
+    for (Json& row : json["results"]) row.erase("timing");
+    return json.dump();
+}
+
+TEST(ResultsJson, IsValidByItsSchema) { EXPECT_EQ(schemaError(toJson(sampleRun())), ""); }
+
+TEST(ResultsJson, IsValidWhenNothingWasMeasuredOrCounted)
+{
+    RunResults run;
+    EXPECT_EQ(schemaError(toJson(run)), "");
+    run.rows = {sampleRun().rows.front()};
+    run.rows.front().outcome = Measurement{};
+    EXPECT_EQ(schemaError(toJson(run)), "");
+}
+
+// The schema is closed: it finds what a later change adds, drops or misspells.
+TEST(ResultsJson, SchemaForbidsOtherMembers)
+{
+    const Json good = Json::parse(toJson(sampleRun()));
+    const auto broken = [&](auto change) {
+        Json json = good;
+        change(json);
+        return schemaError(json.dump());
+    };
+    EXPECT_NE(broken([](Json& json) { json["extra"] = 1; }), "");
+    EXPECT_NE(broken([](Json& json) { json["version"] = 2; }), "");
+    EXPECT_NE(broken([](Json& json) { json["results"][0]["extra"] = 1; }), "");
+    EXPECT_NE(broken([](Json& json) { json["results"][0].erase("technique"); }), "");
+    EXPECT_NE(broken([](Json& json) { json["results"][0]["misclassified"] = -1; }), "");
+    EXPECT_NE(broken([](Json& json) { json["results"][0]["size"] = "wide"; }), "");
+    EXPECT_NE(broken([](Json& json) { json["results"][0]["timing"]["frame_ms"] = "3"; }), "");
+    EXPECT_NE(broken([](Json& json) { json["results"][0].erase("timing"); }), "");
+}
+
+TEST(ResultsJson, OrderOfRowsIsNothing)
+{
+    RunResults run = sampleRun();
+    const std::string expected = toJson(run);
+    forEachCase(100, [&](Rng& rng) {
+        std::shuffle(run.rows.begin(), run.rows.end(), std::mt19937_64(rng.bits()));
+        ASSERT_EQ(toJson(run), expected);
+    });
+}
+
+TEST(ResultsJson, RowsAreSortedByTheirKey)
+{
+    const Json json = Json::parse(toJson(sampleRun()));
+    std::vector<std::vector<std::string>> keys;
+    for (const Json& row : json["results"]) {
+        keys.emplace_back();
+        for (const char* part : {"scene", "view", "light", "technique_full", "lixels", "size", "executor"})
+            keys.back().push_back(row[part]);
+    }
+    EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
+    EXPECT_EQ(std::adjacent_find(keys.begin(), keys.end()), keys.end());
+}
+
+TEST(ResultsJson, NumbersReadBackAsTheSameValue)
+{
+    RunResults run = sampleRun();
+    run.rows = {run.rows.front()};
+    forEachCase(kCases, [&](Rng& rng) {
+        const double value = rng.logUniform(1e-12, 1e12);
+        firstMeasured(run).timing.frameMs = value;
+        ASSERT_EQ(Json::parse(toJson(run))["results"][0]["timing"]["frame_ms"], value);
+    });
+}
+
+TEST(ResultsJson, OnlyTimingDependsOnTheClock)
+{
+    RunResults run = sampleRun();
+    const std::string before = toJson(run);
+    run.timing = {"2030-01-01T00:00:00Z", "another machine", 99};
+    for (ResultRow& row : run.rows)
+        if (auto* measured = std::get_if<Measurement>(&row.outcome))
+            measured->timing = {.frameMs = 77, .passes = {{"x", 1}}, .gpuMs = 5, .clock = "another"};
+    EXPECT_NE(toJson(run), before);
+    EXPECT_EQ(withoutTiming(toJson(run)), withoutTiming(before));
+}
+
+TEST(ResultsJson, PercentagesAreThoseOfTheCounts)
+{
+    RunResults run = sampleRun();
+    run.rows = {run.rows.front()};
+    Measurement& measured = firstMeasured(run);
+    measured.lightFacing = 800;
+    measured.misclassified = 3;
+    measured.interior = {0, 0};
+    const Json row = Json::parse(toJson(run))["results"][0];
+    EXPECT_EQ(row["misclassified_percent"], 0.375);
+    EXPECT_TRUE(row["interior_percent"].is_null()); // a share of nothing
+}
+
+TEST(ResultsJson, InfinityIsNull)
+{
+    RunResults run = sampleRun();
+    run.rows = {run.rows.front()};
+    firstMeasured(run).footprintPixelsPerLixel = Percentiles{1, 2, 3, 4, 5, std::numeric_limits<double>::infinity()};
+    const std::string text = toJson(run);
+    EXPECT_TRUE(Json::parse(text)["results"][0]["footprint_pixels_per_lixel"]["max"].is_null());
+    EXPECT_EQ(schemaError(text), "");
+}
+
+TEST(ResultsJson, TakesEveryText)
+{
+    RunResults run = sampleRun();
+    run.rows = {run.rows.front()};
+    run.rows.front().scene = "a \"quoted\"\\name\n\t\x01 Grüße";
+    run.rows.front().view = "not UTF-8: \xff\xc3";
+    const Json row = Json::parse(toJson(run))["results"][0];
+    EXPECT_EQ(row["scene"], run.rows.front().scene);
+    EXPECT_EQ(row["view"], "not UTF-8: \uFFFD\uFFFD");
+    EXPECT_EQ(schemaError(toJson(run)), "");
+}
+
+} // namespace
+} // namespace lixel::test

@@ -1,0 +1,352 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Uses a report as a reader does, in headless Chromium, through the WebDriver protocol (W3C WebDriver, level 2).
+
+    report_in_browser.py REPORT.html [--screenshots FOLDER]
+
+Exit codes: 0 all well, 1 something is wrong (said on standard error), 77 there is no browser here. With
+LIXEL_REQUIRE_BROWSER=1 in the environment a missing browser is wrong too.
+"""
+import argparse
+import base64
+import http.client
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+SKIPPED = 77
+ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # the protocol's name for a reference to an element
+FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+         "--disable-background-networking", "--disable-component-update", "--disable-sync", "--window-size=1400,1000"]
+
+
+class Browser:
+    """One session; ends with the block it was opened in."""
+
+    def __init__(self, driver, chromium):
+        self.profile = tempfile.mkdtemp(prefix="lixel-browser-")
+        self.process = subprocess.Popen([driver, "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                        text=True)
+        try:
+            self.port = self.read_port()
+            self.session = self.open_session(chromium)
+        except BaseException:
+            self.close()
+            raise
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        try:
+            self.call("DELETE", "")
+        finally:
+            self.close()
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait(timeout=20)
+        self.process.stdout.close()
+        shutil.rmtree(self.profile, ignore_errors=True)
+
+    def read_port(self):
+        said = ""
+        for line in self.process.stdout:
+            said += line
+            if found := re.search(r"successfully on port (\d+)", line):
+                return int(found.group(1))
+        raise RuntimeError("the driver did not start: " + said)
+
+    def open_session(self, chromium):
+        options = {"binary": chromium, "args": [*FLAGS, "--user-data-dir=" + self.profile]}
+        wanted = {"browserName": "chrome", "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}
+        return self.send("POST", "/session", {"capabilities": {"alwaysMatch": wanted}})["sessionId"]
+
+    def send(self, method, path, body=None):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
+        text = None if body is None else json.dumps(body)
+        connection.request(method, path, text, {"Content-Type": "application/json"})
+        value = json.loads(connection.getresponse().read())["value"]
+        connection.close()
+        if isinstance(value, dict) and "error" in value:
+            raise RuntimeError(f"{method} {path}: {value['error']}: {value['message']}")
+        return value
+
+    def call(self, method, path, body=None):
+        return self.send(method, f"/session/{self.session}{path}", body)
+
+    def run(self, script, *arguments):
+        return self.call("POST", "/execute/sync", {"script": script, "args": list(arguments)})
+
+    def find(self, css):
+        return self.call("POST", "/element", {"using": "css selector", "value": css})
+
+    def click(self, css):
+        self.run("arguments[0].scrollIntoView({block: 'center'})", self.find(css))
+        self.call("POST", f"/element/{self.find(css)[ELEMENT]}/click", {})
+
+    def type(self, css, keys):
+        self.call("POST", f"/element/{self.find(css)[ELEMENT]}/value", {"text": keys})
+
+    def act(self, *sources):
+        self.call("POST", "/actions", {"actions": list(sources)})
+
+    def drag(self, css, dx, dy):
+        """From the element's centre, with the mouse."""
+        self.run("arguments[0].scrollIntoView({block: 'center'})", self.find(css))
+        x, y = self.run("const b = arguments[0].getBoundingClientRect();"
+                        "return [b.x + b.width / 2, b.y + b.height / 2].map(Math.round)", self.find(css))
+        self.act({"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": [
+            {"type": "pointerMove", "duration": 0, "x": x, "y": y},
+            {"type": "pointerDown", "button": 0},
+            {"type": "pointerMove", "duration": 50, "x": x + dx, "y": y + dy},
+            {"type": "pointerUp", "button": 0}]})
+
+    def wheel(self, css, x, y, delta):
+        self.act({"type": "wheel", "id": "wheel", "actions": [
+            {"type": "scroll", "origin": self.find(css), "x": x, "y": y, "deltaX": 0, "deltaY": delta, "duration": 0}]})
+
+    def wait_for(self, what, script):
+        until = time.monotonic() + 20
+        while not self.run(script):
+            check(time.monotonic() < until, what)
+            time.sleep(0.05)
+
+    def devtools(self, command, **parameters):
+        return self.call("POST", "/goog/cdp/execute", {"cmd": command, "params": parameters})
+
+    def look_like(self, width, height, theme):
+        """A window of that size, in CSS pixels."""
+        self.devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
+                      mobile=width < 600)
+        self.devtools("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": theme}])
+
+
+# Reads a canvas through a copy: reading the page's own makes the browser complain on its console.
+PIXELS = ("const pixels = canvas => { const copy = new OffscreenCanvas(canvas.width, canvas.height)"
+          ".getContext('2d', {willReadFrequently: true}); copy.drawImage(canvas, 0, 0);"
+          " return copy.getImageData(0, 0, canvas.width, canvas.height).data; };")
+
+
+def check(holds, what):
+    if not holds:
+        raise AssertionError(what)
+
+
+# ---- what a reader does
+
+def pictures_appear(page):
+    page.wait_for("the pictures are drawn", PIXELS + "const all = [...document.querySelectorAll('.pane canvas')];"
+                  " return all.length > 3 && all.every(canvas => pixels(canvas)[3] === 255)")
+
+
+def differences_become_whole_pictures(page):
+    """A picture that is stored as its difference from another one has no holes."""
+    holes = page.run(PIXELS + "return (async () => { let holes = 0; for (const row of shown.group) {"
+                     " const data = pixels(await picture(row, 'shaded'));"
+                     " for (let i = 3; i < data.length; i += 4) holes += data[i] !== 255; } return holes; })()")
+    check(holes == 0, f"the pictures have no holes: {holes}")
+
+
+def split_of(page):
+    return page.run("return parseFloat(document.getElementById('divider').style.left)")
+
+
+def slider_moves(page):
+    check(split_of(page) == 50, "the divider starts in the middle")
+    page.drag("#divider", -150, 0)
+    dragged = split_of(page)
+    check(5 < dragged < 45, f"dragging the divider to the left moves it there: {dragged}")
+    page.run("document.getElementById('split').focus()")
+    page.type("#split", "\ue010")  # End
+    check(split_of(page) == 100, "the bar moves the divider by keys")
+    clip = page.run("return getComputedStyle(document.getElementById('pane-right')).clipPath")
+    check("100%" in clip, f"the right picture is hidden behind the left one: {clip}")
+    page.run("setSplit(50)")
+
+
+def techniques_change(page):
+    name = "return document.getElementById('tag-right').textContent"
+    before = page.run(name)
+    page.click(".tile:nth-of-type(3) [data-side=right]")
+    check(page.run(name) != before, "a tile's button puts its picture on the right")
+    left = page.run("return document.getElementById('tag-left').textContent")
+    page.click("#swap")
+    check(page.run(name) == left, "swapping turns left and right")
+    page.click("#swap")
+
+
+def red_pixels(page):
+    """Of the right picture, once it is drawn: the page draws when it has decoded what it needs."""
+    return page.run(PIXELS + "return (async () => { await redraw(); let red = 0;"
+                    "const d = pixels(document.querySelector('#pane-right canvas'));"
+                    "for (let i = 0; i < d.length; i += 4) red += d[i] > 200 && d[i + 1] < 60 && d[i + 2] < 80;"
+                    "return red; })()")
+
+
+def error_overlay_toggles(page):
+    page.run("showPair(shown.group[0], shown.group.at(-1))")
+    check(red_pixels(page) > 0, "the error is shown in red at first")
+    page.click("#show-error")
+    check(red_pixels(page) == 0, "without the overlay nothing is red")
+    page.click("#show-error")
+    check(red_pixels(page) > 0, "with the overlay it is red again")
+
+
+def density_shows_with_its_legend(page):
+    page.click("#show-density")
+    check(page.run("return document.querySelectorAll('#legend .ramp i').length") > 10, "the density has a legend")
+    page.click("#show-density")
+    check(page.run("return document.querySelectorAll('#legend .ramp').length") == 0, "which goes with it")
+
+
+def zoom_works(page):
+    scale = "return zoom.scale"
+    page.run("document.getElementById('stage').scrollIntoView({block: 'center'})")
+    page.wheel("#stage", 60, 40, -480)
+    check(page.run(scale) > 2, "the wheel enlarges")
+    moved = page.run("return zoom.x")
+    page.drag("#tag-left", 40, 30)  # the tag lets the pointer through to the picture
+    check(page.run("return zoom.x") != moved, "dragging moves the picture")
+    for _ in range(4):
+        page.click("#zoom-in")
+    rendering = page.run("return getComputedStyle(document.querySelector('#pane-left canvas')).imageRendering")
+    check(rendering == "pixelated", "enlarged pixels stay squares")
+    same = page.run("return new Set([...document.querySelectorAll('.pane canvas')].map(c => c.style.transform)).size")
+    check(same == 1, "all pictures move together")
+    before = page.run(scale)
+    page.type("#stage", "-")
+    check(page.run(scale) < before, "the minus key makes it smaller")
+    page.click("#zoom-fit")
+    check(page.run("return zoom.scale === 1 && zoom.x === 0 && zoom.y === 0"), "Fit shows all")
+
+
+def next_view_opens(page):
+    if page.run("return document.getElementById('group-field').hidden"):
+        return
+    page.click("#group-on")
+    pictures_appear(page)
+    check(page.run("return document.getElementById('group').selectedIndex") == 1, "the next view is shown")
+    page.click("#rows-table tbody tr td button")
+    pictures_appear(page)
+
+
+def tables_sort(page):
+    heading = ("[...document.querySelectorAll('#rows-table thead th')]"
+               ".findIndex(h => h.textContent.startsWith('Misclassified'))")
+    values = ("const at = %s; return [...document.querySelectorAll('#rows-table tbody tr')]"
+              ".map(r => Number(r.cells[at].textContent))" % heading)
+    index = page.run("return " + heading) + 1
+    state = f"return document.querySelector('#rows-table thead th:nth-child({index})').ariaSort"
+    check(page.run(state) == "none", "a table starts unsorted")
+    for order, key in (("descending", lambda v: -v), ("ascending", lambda v: v)):
+        page.click(f"#rows-table thead th:nth-child({index}) button")
+        seen = page.run(values)
+        check(page.run(state) == order, f"the heading says {order}")
+        check(seen == sorted(seen, key=key) and len(set(seen)) > 1, f"the rows are {order}: {seen}")
+    sorted_headings = page.run("return document.querySelectorAll('#rows-table th:not([aria-sort=none])').length")
+    check(sorted_headings == 1, "one heading is sorted at a time")
+
+
+def charts_show(page):
+    page.run("scrollTo(0, 0)")
+    bars = page.run("return [...document.querySelectorAll('.chart svg')].map(s => s.querySelectorAll('rect').length)")
+    check(len(bars) == 2 and min(bars) > 1, f"error and cost have bars: {bars}")
+
+
+def command_stands_there(page):
+    shown = page.run("return document.getElementById('command').textContent")
+    check(shown.startswith("lixel "), f"the command is shown: {shown}")
+    page.click("#copy")
+    page.wait_for("the copy button answers", "return document.getElementById('copy').textContent !== 'Copy'")
+
+
+def refusals_are_told(page):
+    told = page.run("return run.results.filter(r => r.refused).every(r => "
+                    "document.getElementById('refused').innerText.includes(r.refused.message))")
+    check(told, "each refusal is shown with its message")
+
+
+def fits_every_width(page):
+    for width in (1600, 1000, 700, 360):
+        page.look_like(width, 800, "light")
+        time.sleep(0.2)
+        wide = page.run("return document.documentElement.scrollWidth")
+        check(wide <= width, f"at {width} pixels nothing sticks out: {wide}")
+    page.look_like(1400, 1000, "light")
+
+
+def needs_nothing_from_outside(page):
+    fetched = page.run("return performance.getEntriesByType('resource').map(e => e.name)"
+                       ".filter(name => !name.startsWith('data:'))")
+    check(fetched == [], f"nothing is fetched: {fetched}")
+
+
+def console_is_quiet(page):
+    told = page.call("POST", "/se/log", {"type": "browser"})
+    check(told == [], f"the console is empty: {told}")
+
+
+STEPS = [
+    pictures_appear, differences_become_whole_pictures, slider_moves, techniques_change, error_overlay_toggles,
+    density_shows_with_its_legend, zoom_works, next_view_opens, tables_sort, charts_show, command_stands_there,
+    refusals_are_told, fits_every_width, needs_nothing_from_outside, console_is_quiet,
+]
+
+
+def take_screenshots(page, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+
+    def shoot(name, whole=True):
+        time.sleep(0.4)
+        area = page.run("const page = document.documentElement;"
+                        "return {x: 0, y: 0, width: page.scrollWidth, height: page.scrollHeight}")
+        clip = {"clip": {**area, "scale": 1}, "captureBeyondViewport": True} if whole else {}
+        picture = page.devtools("Page.captureScreenshot", format="png", **clip)
+        (folder / f"{name}.png").write_bytes(base64.b64decode(picture["data"]))
+
+    for name, width, theme in (("wide", 1400, "light"), ("dark", 1400, "dark"), ("phone", 390, "light")):
+        page.look_like(width, 900, theme)
+        page.call("POST", "/refresh", {})
+        pictures_appear(page)
+        shoot(name)
+    page.look_like(1400, 1000, "light")
+    page.click("#show-density")
+    page.run("zoomBy(6, 0.45, 0.6); document.getElementById('pictures').scrollIntoView()")
+    shoot("zoomed", whole=False)
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Uses a report as a reader does, in headless Chromium.")
+    parser.add_argument("report", type=pathlib.Path)
+    parser.add_argument("--screenshots", type=pathlib.Path, metavar="FOLDER", help="pictures of the page, to look at")
+    arguments = parser.parse_args()
+
+    driver = shutil.which("chromedriver")
+    chromium = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    if not driver or not chromium:
+        print("there is no chromium with chromedriver here: the report was not opened", file=sys.stderr)
+        return 1 if os.environ.get("LIXEL_REQUIRE_BROWSER") == "1" else SKIPPED
+
+    try:
+        with Browser(driver, chromium) as page:
+            page.call("POST", "/url", {"url": arguments.report.resolve().as_uri()})
+            for step in STEPS:
+                print(step.__name__.replace("_", " "), flush=True)
+                step(page)
+            if arguments.screenshots:
+                take_screenshots(page, arguments.screenshots)
+    except (AssertionError, RuntimeError) as wrong:
+        print(f"wrong: {wrong}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "sample_results.h"
+
+#include "lixel/report/false_colour.h"
+#include "lixel/report/png.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace lixel::test {
+namespace {
+
+struct SampleTechnique
+{
+    std::string name;
+    double lixelSize; // of the floor, in units of a disc's radius; 0: exact
+    double frameMs;
+};
+
+// Seen over a floor that runs to the horizon at the picture's upper quarter.
+struct SampleScene
+{
+    std::string view;
+    double sunX; // how far shadows fall to the side
+    int size;
+
+    Image<Rgba8> shaded;
+    Image<Verdict> verdicts;
+    Image<float> density;
+    Measurement measurement;
+};
+
+bool isLit(double x, double z, double sunX)
+{
+    const double cellX = std::floor((x - sunX) / 4) * 4 + 2, cellZ = std::floor(z / 4) * 4 + 2;
+    return std::hypot(x - sunX - cellX, z - cellZ) > 1;
+}
+
+Rgba8 floorColour(double x, double z, bool lit)
+{
+    const bool isLight = (int(std::floor(x / 2)) + int(std::floor(z / 2))) % 2 == 0;
+    const double value = (isLight ? 205 : 165) * (lit ? 1 : 0.45);
+    return {std::uint8_t(value), std::uint8_t(value * 0.95), std::uint8_t(value * 0.86), 255};
+}
+
+void drawPixel(SampleScene& scene, const SampleTechnique& technique, int i, int j)
+{
+    const double u = (i + 0.5) / scene.size * 2 - 1, below = 0.75 - (j + 0.5) / scene.size;
+    if (below <= 0.02) { // the sky
+        scene.shaded(i, j) = {150, 180, std::uint8_t(215 + 30 * below), 255};
+        return;
+    }
+    const double z = 3 / below, x = u * z;
+    const double step = technique.lixelSize;
+    const auto stepped = [&](double value) { return step > 0 ? (std::floor(value / step) + 0.5) * step : value; };
+    const bool exact = isLit(x, z, scene.sunX), lit = isLit(stepped(x), stepped(z), scene.sunX);
+    scene.shaded(i, j) = floorColour(x, z, lit);
+    scene.verdicts(i, j) = lit == exact ? Verdict::Right : lit ? Verdict::FalseLit : Verdict::FalseShadow;
+    if (step > 0) scene.density(i, j) = float(2 * z / scene.size * (z * z / 3 / scene.size) / (step * step));
+
+    Measurement& measurement = scene.measurement;
+    ++measurement.lightFacing;
+    measurement.misclassified += lit != exact;
+    measurement.falseLit += lit && !exact;
+    measurement.falseShadow += !lit && exact;
+}
+
+Measurement measure(SampleScene& scene, const SampleTechnique& technique)
+{
+    scene.shaded = Image<Rgba8>(scene.size, scene.size);
+    scene.verdicts = Image<Verdict>(scene.size, scene.size, Verdict::NotCounted);
+    scene.density = Image<float>(scene.size, scene.size, std::numeric_limits<float>::quiet_NaN());
+    scene.measurement = {};
+    for (int j = 0; j < scene.size; ++j)
+        for (int i = 0; i < scene.size; ++i) drawPixel(scene, technique, i, j);
+
+    Measurement& measurement = scene.measurement;
+    measurement.edgeBand = {measurement.lightFacing / 5, measurement.misclassified};
+    measurement.interior = {measurement.lightFacing - measurement.edgeBand.samples, 0};
+    measurement.timing = {.frameMs = technique.frameMs, .passes = {}, .gpuMs = {}, .clock = "steady_clock"};
+    if (technique.lixelSize > 0) {
+        measurement.timing.passes = {{"shadow depth", 0.7 * technique.frameMs}, {"lookup", 0.25 * technique.frameMs}};
+        measurement.lixelsUsed = 512 * 512;
+        measurement.bytes = 512 * 512 * 4;
+        measurement.footprintPixelsPerLixel = Percentiles{0.1, 0.3, 1.2, 4.5, 9.75, 31};
+        measurement.densityLixelsPerPixel = Percentiles{0.01, 0.05, 0.7, 3.2, 9, 40};
+    }
+    return measurement;
+}
+
+PictureFiles writePictures(const fs::path& folder, const std::string& name, const SampleScene& scene)
+{
+    const PictureFiles files{name + ".png", name + "-error.png", name + "-density.png"};
+    writePng(folder / files.shaded, scene.shaded);
+    writePng(folder / files.error, errorPicture(scene.verdicts));
+    writePng(folder / files.density, densityPicture(scene.density));
+    return files;
+}
+
+ResultRow rowOf(const SampleScene& scene, const std::string& technique, const std::string& executor)
+{
+    ResultRow row;
+    row.scene = "bunnies";
+    row.view = scene.view;
+    row.light = "sun";
+    row.technique = technique;
+    row.techniqueFull = "whole+" + technique + "+depths(1,max)+pcf(1)";
+    row.lixels = "512x512";
+    row.size = std::to_string(scene.size) + "x" + std::to_string(scene.size);
+    row.executor = executor;
+    row.seed = 1;
+    return row;
+}
+
+void addRows(RunResults& run, SampleScene& scene, const SampleTechnique& technique, const fs::path& folder)
+{
+    for (const char* executor : {"gl", "trace"}) {
+        ResultRow row = rowOf(scene, technique.name, executor);
+        Measurement measurement = measure(scene, technique);
+        measurement.agreement = Agreement{row.executor == "gl" ? "trace" : "gl", 99.98, 96.5};
+        const std::string name = scene.view + "_" + technique.name + "_" + executor;
+        if (!folder.empty()) measurement.pictures = writePictures(folder, name, scene);
+        row.outcome = measurement;
+        run.rows.push_back(row);
+    }
+}
+
+RunResults makeRun(const fs::path& folder, int size)
+{
+    RunResults run;
+    run.lixelVersion = "0.1.0";
+    run.seed = 1;
+    run.command =
+        "lixel compare bunnies --techniques exact,uniform,focused,lispsm,plane-optimal --lixels 512x512 --size " +
+        std::to_string(size) + "x" + std::to_string(size) + " --executor gl,trace --seed 1 -o out";
+    run.timing = {"2024-05-06T07:08:09Z", "two cores, llvmpipe", 12.5};
+    for (const auto& [view, sunX] : {std::pair{"front", 0.8}, std::pair{"low camera", -1.5}}) {
+        SampleScene scene{view, sunX, size, {}, {}, {}, {}};
+        for (const SampleTechnique& technique :
+             {SampleTechnique{"uniform", 0.9, 3.1}, SampleTechnique{"exact", 0, 80},
+              SampleTechnique{"focused", 0.31, 3.4}, SampleTechnique{"lispsm", 0.12, 3.6}})
+            addRows(run, scene, technique, folder);
+        ResultRow refused = rowOf(scene, "plane-optimal", "gl");
+        refused.outcome = Refusal{"no_plane", "plane-optimal needs a region with a plane: add planes(floor)"};
+        run.rows.push_back(refused);
+    }
+    return run;
+}
+
+} // namespace
+
+TemporaryFolder::TemporaryFolder()
+{
+    std::string name = (fs::temp_directory_path() / "lixel-test-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+}
+
+TemporaryFolder::~TemporaryFolder()
+{
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+std::size_t TemporaryFolder::fileCount() const
+{
+    return std::size_t(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+}
+
+std::string readWhole(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+RunResults sampleRun(const fs::path& folder, int size) { return makeRun(folder, size); }
+RunResults sampleRun() { return makeRun({}, 32); }
+
+} // namespace lixel::test

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/report/results.h"
+
+#include <filesystem>
+#include <string>
+
+namespace lixel::test {
+
+// A folder of its own below the temporary one, gone with it.
+class TemporaryFolder
+{
+public:
+    TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    ~TemporaryFolder();
+    const std::filesystem::path& path() const { return path_; }
+    std::size_t fileCount() const;
+
+private:
+    std::filesystem::path path_;
+};
+
+std::string readWhole(const std::filesystem::path& path);
+
+// A made-up run: two views, `exact` and three techniques on two executors, refusals of a fourth. Its pictures,
+// size x size, are written to `folder`: shadows of discs on a chequered floor, stepped by the technique's lixels.
+RunResults sampleRun(const std::filesystem::path& folder, int size);
+
+// The same without pictures.
+RunResults sampleRun();
+
+} // namespace lixel::test

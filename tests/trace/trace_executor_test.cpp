@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/trace/trace_executor.h"
+
+#include "lixel/trace/exact_visibility.h"
+#include "lixel/trace/trace_view_samples.h"
+#include "trace/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace lixel {
+namespace {
+
+using namespace lixel::test;
+
+// A view of the ball from outside, and a plan for it.
+View anyViewOf(Rng& rng, Vec3d centreWorld, double radius)
+{
+    const double away = rng.uniform(1.5, 5);
+    const Vec3d eye = centreWorld + radius * away * rng.onSphere();
+    return perspectiveView(eye, centreWorld, rng.onSphere(), 2 * std::atan(1.1 / away), 1e-3 * radius,
+                           std::numeric_limits<double>::infinity(), 40, 40);
+}
+
+FramePlan planFor(const View& view, const std::vector<Light>& lights, const LocalTriangles& casters, FitChoice fit,
+                  int lixels, int taps)
+{
+    Box box;
+    for (const Vec3f& p : casters.positionLocal) box.include(toDouble(p) + casters.originWorld);
+    MapTechnique technique;
+    technique.fit = fit;
+    technique.kernel = PcfKernel{taps};
+    return planShadows({view, lights, std::span(&box, 1), casters.originWorld, technique, {lixels, lixels}});
+}
+
+bool isFacing(const ViewSamples& samples, std::size_t i, const Light& light)
+{
+    return isLightFacing(light, samples.originWorld, toDouble(samples.positionLocal[i]), toDouble(samples.normal[i]));
+}
+
+TEST(TraceExecutor, AnUnoccludedBodyIsLitAtAnySlopeScaleAndResolution)
+{
+    int served = 0;
+    forEachCase(kCases / 20, [&](Rng& rng) {
+        const double scale = rng.logUniform(1e-3, 1e4);
+        const Vec3d centreWorld = rng.inBox(rng.chance(0.5) ? 1e5 : 0);
+        const int kind = rng.integer(0, 2);
+        const Shape shape = kind == 0   ? gridPlane(rng.integer(1, 12), 1)
+                            : kind == 1 ? sphere(40, 20, 1)
+                                        : box({-1, -0.4, -0.6}, {1, 0.4, 0.6}, 3);
+        const Mat4d worldFromShape = translation(centreWorld) * anyRotation(rng) * scaling({scale, scale, scale});
+        const LocalTriangles casters = triangles(placed(worldFromShape, shape), centreWorld + rng.inBox(scale));
+        const TraceScene scene(casters, {}, {});
+        const View view = anyViewOf(rng, centreWorld, scale);
+        const ViewSamples samples = traceViewSamples(scene, view);
+        const Light light = anyLight(rng, centreWorld, 2 * scale);
+        const int tapCounts[] = {1, 4, 9, 25};
+        const FitChoice fit = rng.chance(0.5) ? FitChoice(FocusedFit{}) : FitChoice(UniformFit{});
+        const FramePlan plan = planFor(view, {light}, casters, fit, rng.integer(16, 200), tapCounts[rng.integer(0, 3)]);
+        const Visibility visibility = runTraced(scene, plan, samples).front();
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            // At a silhouette a view ray may meet the far side's edge: such a sample looks into the body.
+            const Vec3d outwards = toDouble(samples.positionLocal[i]) - (centreWorld - casters.originWorld);
+            const bool looksInside = kind != 0 && dot(toDouble(samples.normal[i]), outwards) < 0;
+            if (looksInside || !isFacing(samples, i, light)) continue;
+            EXPECT_EQ(visibility.value[i], 1);
+            EXPECT_EQ(visibility.unserved[i], plan.lights[0].refused ? 1 : 0);
+            served += visibility.unserved[i] == 0;
+        }
+    });
+    EXPECT_GT(served, 10000);
+}
+
+TEST(TraceExecutor, TendsToExactVisibilityAsLixelsGrow)
+{
+    const Shape shape = joined(joined(gridPlane(4, 2), placed(translation({0, 0.6, 0}), sphere(40, 20, 0.5))),
+                               box({0.7, 0, -1.2}, {1.2, 1, -0.7}));
+    const LocalTriangles casters = triangles(shape);
+    const TraceScene scene(casters, {}, {});
+    const View view = perspectiveView({1, 3, 4}, {0, 0.3, 0}, {0, 1, 0}, 0.8, 0.1, 20, 256, 256);
+    const ViewSamples samples = traceViewSamples(scene, view);
+    std::vector<Light> lights(3);
+    lights[0].directionWorld = normalized(Vec3d{1, -2, -0.5});
+    lights[1].kind = LightKind::Point, lights[1].positionWorld = {-2, 4, 1};
+    lights[2].kind = LightKind::Spot, lights[2].positionWorld = {-1, 5, 0};
+    lights[2].directionWorld = normalized(Vec3d{0.2, -1, 0}), lights[2].coneAngle = 0.7;
+    double before[3] = {1, 1, 1};
+    for (const int lixels : {32, 128, 512, 2048}) {
+        const std::vector<Visibility> visibility =
+            runTraced(scene, planFor(view, lights, casters, FocusedFit{}, lixels, 1), samples);
+        ASSERT_EQ(visibility.size(), lights.size());
+        for (std::size_t k = 0; k < lights.size(); ++k) {
+            const std::vector<float> exact = exactVisibility(scene, samples, lights[k]);
+            int facing = 0, wrong = 0;
+            for (std::size_t i = 0; i < samples.size(); ++i) {
+                if (!isFacing(samples, i, lights[k])) continue;
+                ++facing;
+                wrong += (visibility[k].value[i] >= 0.5f) != (exact[i] >= 0.5f);
+            }
+            const double share = double(wrong) / facing;
+            std::printf("%d lixels, light %zu: %.3f %% misclassified\n", lixels, k, 100 * share);
+            EXPECT_LT(share, 0.6 * before[k]);
+            before[k] = share;
+        }
+    }
+    for (const double share : before) EXPECT_LT(share, 0.002);
+}
+
+TEST(TraceExecutor, ARefusedLightLightsEverythingUnserved)
+{
+    const LocalTriangles casters = triangles(box({-1, -1, -1}, {1, 1, 1}));
+    const TraceScene scene(casters, {}, {});
+    const View view = perspectiveView({0, 0, 0.5}, {0, 0, 0}, {0, 1, 0}, 1, 0.1, 20, 16, 16);
+    const ViewSamples samples = traceViewSamples(scene, view);
+    Light lamp;
+    lamp.kind = LightKind::Point;
+    const FramePlan plan = planFor(view, {lamp}, casters, UniformFit{}, 64, 1);
+    ASSERT_TRUE(plan.lights[0].refused.has_value());
+    const Visibility visibility = runTraced(scene, plan, samples).front();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        EXPECT_EQ(visibility.value[i], 1);
+        EXPECT_EQ(visibility.unserved[i], 1);
+    }
+}
+
+} // namespace
+} // namespace lixel
