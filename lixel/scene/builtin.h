@@ -29,7 +29,8 @@ struct BuiltinScene
 
 std::span<const BuiltinScene> builtinScenes();
 
-// From "bunnies" or "bunnies(count=12)"; throws InputError that names what is known. Nothing where the word names no built-in.
+// From "bunnies", "bunnies(count=12)" or "bunnies(12)", or "bunnies:12" that a shell needs no quotes for; throws InputError
+// that names what is known. Nothing where the word names no built-in.
 std::optional<Scene> buildBuiltin(std::string_view text);
 
 } // namespace lixel

@@ -20,8 +20,8 @@ struct DepthRange
     double near = 0, far = 0; // along the line of sight, world units
 };
 
-// The camera's own planes where it gives them. Else far just behind the end of the scene, and near just before its start
-// but at least 1e-3 of far; orthographic cameras take the scene's depths as they are, also behind the eye.
+// The camera's own planes where it gives them. Else far just behind the end of the scene, and near just before its
+// start but at least 1e-3 of far; orthographic cameras take the scene's depths as they are, also behind the eye.
 DepthRange depthRange(const Camera& camera, const Box& sceneWorld);
 
 // Needs a camera that checkCamera() (view_file.h) finds nothing wrong with, and a picture of at least one pixel.

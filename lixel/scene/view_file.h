@@ -47,8 +47,8 @@ std::optional<std::string> checkLight(const Light& light);
 // The path at a time, held before its first and after its last key; directions are unit again. Needs a key.
 PathKey keyAt(std::span<const PathKey> path, double time);
 
-// `camera` with eye and target taken from the path, and `lights` with the first one's place or direction; a light without
-// what the path gives becomes one that has it (a sun that is given a place becomes a point light).
+// `camera` with eye and target taken from the path, and `lights` with the first one's place or direction; a light
+// without what the path gives becomes one that has it (a sun that is given a place becomes a point light).
 Camera cameraAt(std::span<const PathKey> path, double time, const Camera& camera);
 std::vector<Light> lightsAt(std::span<const PathKey> path, double time, std::vector<Light> lights);
 

@@ -16,7 +16,8 @@ namespace lixel {
 // Numbers beyond this are taken for mistakes: their squares still fit into floats' exponents.
 inline constexpr double kMostAbsolute = 1e12;
 
-// A place in a JSON file, which the caller keeps, that knows where it is: everything it cannot give is an InputError "file: pointer: expected".
+// A place in a JSON file, which the caller keeps, that knows where it is: everything it cannot give is an InputError
+// "file: pointer: expected".
 class JsonPlace
 {
 public:

@@ -4,6 +4,8 @@
 
 #include "lixel/gl/caster_shader.h"
 #include "lixel/gl/device/program.h"
+#include "lixel/scene/builtin.h"
+#include "lixel/scene/evaluate.h"
 
 #include <epoxy/gl.h>
 
@@ -11,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 namespace lixel::test {
 namespace {
@@ -70,13 +73,17 @@ TEST_F(LightDepthTest, ManyLightsInFewCallsGiveEachTheMapItHasAlone)
 class HostRenderer
 {
 public:
-    HostRenderer(const SmallScene& scene, std::string_view keep)
+    HostRenderer(const LocalTriangles& triangles, std::string_view keep)
     {
-        for (const std::uint32_t index : scene.indices) {
-            const Vec3f& p = scene.positions[index];
-            const auto packed = [&](float v) { return std::int16_t(std::lround(v / kGrid)); };
+        Box box;
+        for (const Vec3f& p : triangles.positionLocal) box.include(toDouble(p));
+        const double extent = std::max(length(box.min), length(box.max));
+        grid_ = float(std::exp2(std::ceil(std::log2(extent / 32767))));
+        for (const std::uint32_t index : triangles.indices) {
+            const Vec3f& p = triangles.positionLocal[index];
+            const auto packed = [&](float v) { return std::int16_t(std::lround(v / grid_)); };
             vertices_.push_back({{0xdead, 0xbeef}, {packed(p.x), packed(p.y), packed(p.z)}, 0x7777, {0, 0}});
-            if (!scene.uv.empty()) vertices_.back().uv = scene.uv[index];
+            if (!triangles.uv.empty()) vertices_.back().uv = triangles.uv[index];
         }
         buffer_.assign(std::span<const Vertex>(vertices_));
         const GLuint array = array_.get();
@@ -97,7 +104,7 @@ public:
             gl::compileShader(GL_VERTEX_SHADER, {vertexText, {}}),
             gl::compileShader(GL_FRAGMENT_SHADER, {casterFragmentText(keep), {}})};
         program_ = gl::linkShaders(shaders, "host");
-        glProgramUniform1f(program_.get(), glGetUniformLocation(program_.get(), "hostScale"), kGrid);
+        glProgramUniform1f(program_.get(), glGetUniformLocation(program_.get(), "hostScale"), grid_);
     }
 
     // What the host's own vertices are, for the built-in way.
@@ -105,7 +112,7 @@ public:
     {
         SmallScene scene;
         for (const Vertex& vertex : vertices_) {
-            const auto value = [&](int i) { return float(vertex.position[i]) * kGrid; };
+            const auto value = [&](int i) { return float(vertex.position[i]) * grid_; };
             scene.indices.push_back(std::uint32_t(scene.positions.size()));
             scene.positions.push_back({value(0), value(1), value(2)});
         }
@@ -129,7 +136,6 @@ public:
     int calls = 0;
 
 private:
-    static constexpr float kGrid = 0x1p-14f;
     struct Vertex
     {
         std::uint16_t before[2];
@@ -137,31 +143,44 @@ private:
         std::uint16_t after;
         Vec2f uv;
     };
+    float grid_ = 1; // world units a step
     std::vector<Vertex> vertices_;
     gl::Buffer buffer_;
     gl::VertexArray array_ = gl::makeVertexArray();
     gl::ProgramName program_;
 };
 
+// As many lights as need two calls.
+void expectSameMapsBothWays(ShadowDrawer& draw, Rng& rng, const LocalTriangles& triangles)
+{
+    HostRenderer host(triangles, "");
+    const SmallScene same = host.unpacked();
+    const Box box = same.boxWorld();
+    const View view = anyViewOf(rng, box.centre(), 0.5 * box.diagonal(), 64, 64);
+    std::vector<Light> lights;
+    for (int i = 0; i < 20; ++i) lights.push_back(anyLightOn(rng, box.centre(), 0.5 * box.diagonal()));
+    const FramePlan plan = planFor(same, view, lights, {64, 48});
+    const TracedAtlas throughBuffers = draw.drawAtlas(plan, same.casters());
+    const TracedAtlas throughCallback = draw.drawAtlas(plan, host.casters());
+    ASSERT_EQ(throughBuffers.size(), throughCallback.size());
+    for (std::size_t i = 0; i < throughBuffers.size(); ++i)
+        EXPECT_EQ(throughBuffers[i].data(), throughCallback[i].data()) << "layer " << i;
+    EXPECT_EQ(host.calls, (plan.layers + 15) / 16);
+}
+
 TEST_F(LightDepthTest, AHostsOwnShaderAndVertexFormatGiveTheMapThatBuffersGive)
 {
     ShadowDrawer draw(device());
-    forEachCase(10, [&](Rng& rng) {
-        SmallScene scene = anyObjectsOnAFloor(rng, 1);
-        scene.addSphere({0, 1, 0}, 0.3, 24);
-        HostRenderer host(scene, "");
-        const SmallScene same = host.unpacked();
-        const View view = anyViewOf(rng, {}, 1, 64, 64);
-        std::vector<Light> lights;
-        for (int i = 0; i < 20; ++i) lights.push_back(anyLightOn(rng, {}, 1));
-        const FramePlan plan = planFor(same, view, lights, {64, 48});
-        const TracedAtlas throughBuffers = draw.drawAtlas(plan, same.casters());
-        const TracedAtlas throughCallback = draw.drawAtlas(plan, host.casters());
-        ASSERT_EQ(throughBuffers.size(), throughCallback.size());
-        for (std::size_t i = 0; i < throughBuffers.size(); ++i)
-            EXPECT_EQ(throughBuffers[i].data(), throughCallback[i].data()) << "layer " << i;
-        EXPECT_EQ(host.calls, (plan.layers + 15) / 16);
-    });
+    forEachCase(10,
+                [&](Rng& rng) { expectSameMapsBothWays(draw, rng, flatten(anyObjectsOnAFloor(rng, 1).casters())); });
+}
+
+TEST_F(LightDepthTest, BunniesThroughTheCallbackAreTheBunniesOfTheBuffers)
+{
+    ShadowDrawer draw(device());
+    Rng rng(1);
+    const auto bunnies = std::make_shared<const Scene>(buildBuiltin("bunnies(count=2)").value());
+    expectSameMapsBothWays(draw, rng, evaluate(bunnies, {}, {}).triangles);
 }
 
 TEST_F(LightDepthTest, AHostsHolesAreHoles)
@@ -171,7 +190,8 @@ TEST_F(LightDepthTest, AHostsHolesAreHoles)
     SmallScene scene;
     scene.addQuad({-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1});
     scene.uv = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
-    HostRenderer whole(scene, ""), half(scene, "bool lixelKeep(vec2 uv) { return uv.x < 0.5; }");
+    const LocalTriangles quad = flatten(scene.casters());
+    HostRenderer whole(quad, ""), half(quad, "bool lixelKeep(vec2 uv) { return uv.x < 0.5; }");
     const View view = perspectiveView({0, 2, 2}, {0, 0, 0}, {0, 1, 0}, 1, 0.1, 10, 64, 64);
     const Light sun;
     const FramePlan plan = planFor(scene, view, {&sun, 1}, {64, 64});

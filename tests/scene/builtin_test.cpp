@@ -159,8 +159,8 @@ TEST_P(EveryScene, HasNoTriangleWithoutAreaAndNoVertexThatIsNotFinite)
     for (const std::uint32_t material : all.material) ASSERT_LT(material, scene->materials.size());
 }
 
-// Where two surfaces share a place, which of them is seen would be chance. Triangles are sorted by their planes; those in one
-// plane, shrunk by a thousandth, must not overlap.
+// Where two surfaces share a place, which of them is seen would be chance. Triangles are sorted by their planes; those
+// in one plane, shrunk by a thousandth, must not overlap.
 struct Flat
 {
     std::size_t triangle;

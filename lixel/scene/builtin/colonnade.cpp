@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numbers>
 
-// A long hall of square bays under groin vaults. Its left arcade (-x) is open to the sun behind a thin railing, the right one
-// has curtains, an aisle and a wall with windows; the near end is open, the far end has a window behind a grille. The hall
-// runs from z = 0 towards -z.
+// A long hall of square bays under groin vaults. Its left arcade (-x) is open to the sun behind a thin railing, the
+// right one has curtains, an aisle and a wall with windows; the near end is open, the far end has a window behind a
+// grille. The hall runs from z = 0 towards -z.
 namespace lixel::builtin {
 
 namespace {
@@ -43,7 +43,8 @@ Mesh spandrel(double depth, double top)
     return band(lower, upper, depth, 2);
 }
 
-// One bay of a groin vault, centred: two barrels of radius kHalf cross, and each of the four webs is a piece of one of them.
+// One bay of a groin vault, centred: two barrels of radius kHalf cross, and each of the four webs is a piece of one of
+// them.
 Mesh groinVault()
 {
     Mesh vault;

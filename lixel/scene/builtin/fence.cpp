@@ -10,8 +10,8 @@
 #include <cmath>
 #include <numbers>
 
-// Thin things over flat ground under a low sun: a picket fence with a gate, a wire fence, a chain-link panel, a trellis with
-// leaves, a bare tree and tufts of grass.
+// Thin things over flat ground under a low sun: a picket fence with a gate, a wire fence, a chain-link panel, a trellis
+// with leaves, a bare tree and tufts of grass.
 namespace lixel::builtin {
 
 namespace {

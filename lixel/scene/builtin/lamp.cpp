@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-// A closed room at night: a ribbed lamp hangs over a round table, and everything around throws shadows on walls, floor and
-// ceiling. Seen from the lamp the room is on all sides, so that no single map can serve it.
+// A closed room at night: a ribbed lamp hangs over a round table, and everything around throws shadows on walls, floor
+// and ceiling. Seen from the lamp the room is on all sides, so that no single map can serve it.
 namespace lixel::builtin {
 
 namespace {

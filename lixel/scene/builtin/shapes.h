@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-// The parts that built-in scenes are made of. Metres, Y up; triangles turn counterclockwise seen from outside, normals are
-// smooth where the thing is round; no triangle is degenerate. Solid parts are closed.
+// The parts that built-in scenes are made of. Metres, Y up; triangles turn counterclockwise seen from outside, normals
+// are smooth where the thing is round; no triangle is degenerate. Solid parts are closed.
 namespace lixel::builtin {
 
 // A grid of points f(u, v), u and v in [0, 1]; its outside is where cross(df/du, df/dv) points. Points that coincide
@@ -19,8 +19,8 @@ Mesh surface(const std::function<Vec3d(double u, double v)>& f, int columns, int
 Mesh box(Vec3d min, Vec3d max, double metresPerRepeat = 1);
 Mesh boxAround(Vec3d centre, Vec3d size, double metresPerRepeat = 1);
 
-// Turns a profile of (radius, height) about the Y axis. Profiles run with their solid on the left of (r, y), that is upwards
-// on outer sides; a point given twice in a row is a crease; solids start and end at radius 0.
+// Turns a profile of (radius, height) about the Y axis. Profiles run with their solid on the left of (r, y), that is
+// upwards on outer sides; a point given twice in a row is a crease; solids start and end at radius 0.
 Mesh lathe(std::span<const Vec2d> profile, int segments, Vec2d uvScale = {1, 1});
 
 // A profile through these points, smooth but at points given twice; `steps` spans between neighbours.
@@ -37,8 +37,8 @@ Mesh tube(std::span<const Vec3d> path, double radiusStart, double radiusEnd, int
 Mesh loopTube(std::span<const Vec3d> loop, double radius, int sides);
 Mesh rod(Vec3d from, Vec3d to, double radius, int sides);
 
-// The solid between two polylines of as many points, both running towards +x, `lower` below `upper`; along z from -depth/2
-// to +depth/2. Arches, vaults and slabs with curved undersides.
+// The solid between two polylines of as many points, both running towards +x, `lower` below `upper`; along z from
+// -depth/2 to +depth/2. Arches, vaults and slabs with curved undersides.
 Mesh band(std::span<const Vec2d> lower, std::span<const Vec2d> upper, double depth, double metresPerRepeat = 1);
 
 // A wall about z = 0 with a rectangular opening: corners in (x, y); the hole lies inside the wall.
