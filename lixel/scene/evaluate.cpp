@@ -85,6 +85,8 @@ public:
         append(out.uv, mesh.uv, anyUv_, Vec2f{});
         append(out.colour, mesh.colour, anyColour_, Vec4f{1, 1, 1, 1});
 
+        // A triangle without area in its model has none anywhere, though rounding may give it some.
+        const bool isRigid = mesh.influences == 0 && mesh.morphTargets.empty();
         Box boxLocal;
         for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
             const std::uint32_t i = mesh.indices[t], j = mesh.indices[t + 1], k = mesh.indices[t + 2];
@@ -94,6 +96,7 @@ public:
             const Vec3f a = out.positionLocal[first + i], b = out.positionLocal[first + j],
                         c = out.positionLocal[first + k];
             if (!hasArea(a, b, c)) continue;
+            if (isRigid && !hasArea(mesh.position[i], mesh.position[j], mesh.position[k])) continue;
             out.indices.insert(out.indices.end(), {first + i, first + j, first + k});
             out.material.push_back(std::uint32_t(mesh.material));
             boxLocal.include(toDouble(a)), boxLocal.include(toDouble(b)), boxLocal.include(toDouble(c));

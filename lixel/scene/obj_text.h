@@ -10,7 +10,7 @@ namespace lixel::obj {
 // OBJ text that a parser may read blindly, and the names of its material files.
 struct CheckedText
 {
-    std::string text; // continued lines joined, no byte order mark
+    std::string text;                       // continued lines joined, no byte order mark
     std::vector<std::string> materialFiles; // what stands after each mtllib: a name, or several
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Which texels a surface's alpha comes from and how they blend: one rule for rays, for shaders and for their tests.
 //
-//   alpha = factor * vertex colour's alpha * base level, bilinear between texel centres at i + 1/2, the sampler's wrap, no
-//   mips; the surface is kept where alpha >= cutoff.
+//   alpha = factor * vertex colour's alpha * base level, bilinear between texel centres at i + 1/2, the sampler's wrap,
+//   no mips; the surface is kept where alpha >= cutoff.
 //
-// A coordinate is folded into [0, 1] first, so that no size of uv overflows an integer; then the texel below it and the next
-// one are blended. For each axis:
+// A coordinate is folded into [0, 1] first, so that no size of uv overflows an integer; then the texel below it and the
+// next one are blended. For each axis:
 //
 //   folded = foldCoordinate(u, wrap)
 //   i0 = wrapTexel(texelBelow(folded, size), size, wrap), i1 = wrapTexel(texelBelow(folded, size) + 1, size, wrap)

@@ -14,7 +14,8 @@
 namespace lixel {
 namespace {
 
-// What Embree hands to our functions with each ray. The first member is Embree's, so that a pointer to it is one to the whole.
+// What Embree hands to our functions with each ray. The first member is Embree's, so that a pointer to it is one to the
+// whole.
 struct CandidateContext
 {
     RTCIntersectContext embree;
@@ -146,7 +147,8 @@ EmbreeScene::EmbreeScene(std::span<const Vec3f> positionLocal, std::span<const s
         largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     }
     // Along an axis, a float ray that starts in the box of half size M strays from the one in double by 2^-24 M for its
-    // origin and by 2^-24 * 2 sqrt(3) M for its direction; the walk through the tree, robust by flag, adds a few such steps.
+    // origin and by 2^-24 * 2 sqrt(3) M for its direction; the walk through the tree, robust by flag, adds a few such
+    // steps.
     state_->margin = std::max(0x1p-20f * largest, 0x1p-126f);
     if (indices.empty()) return;
     state_->buildCandidates();

@@ -37,12 +37,12 @@ public:
     using Blocks = bool (*)(void* query, std::uint32_t triangle);
     bool anyBlocks(const SearchRay& ray, Blocks blocks, void* query) const;
 
-    // The bound on float rounding that triangles are widened by in anyBlocks; Local units. Rays whose origin lies within
-    // the scene's box, widened by twice the margin, lose nothing.
+    // The bound on float rounding that triangles are widened by in anyBlocks; Local units. Rays whose origin lies
+    // within the scene's box, widened by twice the margin, lose nothing.
     double margin() const;
 
-    // The first hit of each ray that `keeps` agrees to, by float arithmetic that leaves no gaps between neighbours. Rays
-    // next to each other should lie close together. Without `keeps` every hit is agreed to.
+    // The first hit of each ray that `keeps` agrees to, by float arithmetic that leaves no gaps between neighbours.
+    // Rays next to each other should lie close together. Without `keeps` every hit is agreed to.
     using Keeps = bool (*)(const void* owner, std::uint32_t triangle, float u, float v);
     void nearest(std::span<const SearchRay> rays, std::span<SearchHit> hits, Keeps keeps, const void* owner) const;
 

@@ -56,7 +56,8 @@ public:
     }
 
 private:
-    // The part of the ray's line that is lit: within the scene, from the light on, which is where w is 0 or infinitely far.
+    // The part of the ray's line that is lit: within the scene, from the light on, which is where w is 0 or infinitely
+    // far.
     Interval beforeLight(const LightRay& ray) const
     {
         const double w = (depthFromLocal_ * point(ray.originLocal)).w;

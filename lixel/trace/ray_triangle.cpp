@@ -27,8 +27,8 @@ struct Bounded
     bool isCertain() const { return std::abs(value) > error; }
 };
 
-// dot(a, cross(b, c)). Seven roundings lie on the way to each term (two of the differences that b and c are, one product, one
-// difference, one product, two sums), each of 2^-53 of its value: 2^-50 of the magnitudes bounds them all.
+// dot(a, cross(b, c)). Seven roundings lie on the way to each term (two of the differences that b and c are, one
+// product, one difference, one product, two sums), each of 2^-53 of its value: 2^-50 of the magnitudes bounds them all.
 Bounded tripleProduct(Vec3d a, Vec3d b, Vec3d c)
 {
     return {dot(a, cross(b, c)), 0x1p-50 * dot(absolute(a), crossMagnitude(b, c))};
@@ -50,7 +50,8 @@ struct Normal
 
 std::optional<TriangleHit> intersect(const Ray& ray, const Corners& corners)
 {
-    // The signed volumes of the ray's direction with each edge as seen from the origin: all of one sign within the triangle.
+    // The signed volumes of the ray's direction with each edge as seen from the origin: all of one sign within the
+    // triangle.
     const Vec3d a = corners[0] - ray.origin, b = corners[1] - ray.origin, c = corners[2] - ray.origin;
     const Bounded wa = tripleProduct(ray.direction, b, c);
     const Bounded wb = tripleProduct(ray.direction, c, a);

@@ -15,7 +15,8 @@ namespace lixel {
 
 using Corners = std::array<Vec3d, 3>;
 
-// Points origin + t * direction with tMin < t, and t < 1 where the ray ends at a point: `end` is origin + direction then.
+// Points origin + t * direction with tMin < t, and t < 1 where the ray ends at a point: `end` is origin + direction
+// then.
 struct Ray
 {
     Vec3d origin, direction;
@@ -30,8 +31,8 @@ struct TriangleHit
 };
 
 // Closed triangles: a ray that meets an edge or a corner within the rounding error of this very test (some 1e-15 of the
-// distance) meets the triangle, hence no ray slips between neighbours. A ray in the triangle's plane, and an end point in it,
-// within that error, meet nothing: neither side of the surface is entered.
+// distance) meets the triangle, hence no ray slips between neighbours. A ray in the triangle's plane, and an end point
+// in it, within that error, meet nothing: neither side of the surface is entered.
 std::optional<TriangleHit> intersect(const Ray& ray, const Corners& corners);
 
 // Where a line meets the triangle's plane, in t of the line; nothing where it is parallel within rounding.
@@ -52,8 +53,8 @@ struct Interval
 
 Interval clipToBox(Vec3d origin, Vec3d direction, const Box& box, Interval interval);
 
-// A line as Embree wants it: from the start of the interval, of unit direction, so that floats are as exact where the scene
-// is as they can be.
+// A line as Embree wants it: from the start of the interval, of unit direction, so that floats are as exact where the
+// scene is as they can be.
 SearchRay searchRay(Vec3d origin, Vec3d direction, Interval interval);
 
 } // namespace lixel

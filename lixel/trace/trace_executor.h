@@ -19,8 +19,8 @@ using TracedAtlas = std::vector<Image<float>>;
 // Samples, scene and plan share their originWorld, here and below.
 TracedAtlas traceAtlas(const TraceScene& scene, const FramePlan& plan);
 
-// What the maps say of one light: each sample looks itself up in the first region that holds it, by lixel/shared/lookup.h. In
-// no region, and where the light's plan was refused, a sample is lit and marked unserved.
+// What the maps say of one light: each sample looks itself up in the first region that holds it, by
+// lixel/shared/lookup.h. In no region, and where the light's plan was refused, a sample is lit and marked unserved.
 Visibility lookUp(const FramePlan& plan, const TracedAtlas& atlas, const ViewSamples& samples, std::size_t light);
 
 // Both: one visibility a light.

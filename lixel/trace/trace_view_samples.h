@@ -7,8 +7,8 @@
 
 namespace lixel {
 
-// What the view sees: one sample a pixel centre, by rays, row by row from the bottom. Pixels that see nothing have no sample.
-// Positions are relative to the scene's originWorld; normals are those of the triangles, turned to the eye.
+// What the view sees: one sample a pixel centre, by rays, row by row from the bottom. Pixels that see nothing have no
+// sample. Positions are relative to the scene's originWorld; normals are those of the triangles, turned to the eye.
 ViewSamples traceViewSamples(const TraceScene& scene, const View& view);
 
 } // namespace lixel

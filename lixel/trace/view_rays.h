@@ -24,7 +24,8 @@ class ViewRays
 public:
     ViewRays(const View& view, Vec3d originWorld); // asserts that the matrix is invertible
 
-    // `pixel` is continuous, (0, 0) at the picture's lower left corner. Nothing where the near plane is not in front (w <= 0).
+    // `pixel` is continuous, (0, 0) at the picture's lower left corner. Nothing where the near plane is not in front (w
+    // <= 0).
     std::optional<ViewRay> through(Vec2d pixel) const;
 
 private:

@@ -4,10 +4,8 @@
 
 #include "lixel/gl/device/objects.h"
 #include "lixel/gl/executor.h"
-#include "lixel/trace/exact_visibility.h"
-#include "lixel/trace/trace_view_samples.h"
+#include <epoxy/gl.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -44,6 +42,12 @@ Setting anySetting(Rng& rng, int lights, LixelSize lixels, int width, int height
     return s;
 }
 
+bool isSamePicture(const Image<Rgba8>& a, const Image<Rgba8>& b)
+{
+    return a.width() == b.width() && a.height() == b.height() &&
+           std::memcmp(a.data().data(), b.data().data(), a.data().size() * sizeof(Rgba8)) == 0;
+}
+
 TEST_F(ExecutorTest, BothExecutorsAgreeOnTheSameSamples)
 {
     GlExecutor executor;
@@ -78,9 +82,7 @@ TEST_F(ExecutorTest, AFrameOnTheDeviceIsThePictureOfItsSamplesAndTheirVisibility
         const Image<Rgba8> inSteps = executor.shade(s.casters, s.view, s.lights, samples, visibility);
         ASSERT_EQ(whole.width(), s.view.width);
         ASSERT_EQ(whole.height(), s.view.height);
-        EXPECT_TRUE(std::ranges::equal(whole.data(), inSteps.data(), [](Rgba8 a, Rgba8 b) {
-            return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
-        }));
+        EXPECT_TRUE(isSamePicture(whole, inSteps));
     });
 }
 
@@ -93,10 +95,7 @@ TEST_F(ExecutorTest, NothingIsMadeAfterTheFirstFrameAndTheSameFrameIsTheSamePict
     const GlExecutor::Frame frame{s.casters, source, s.view, s.plan, s.lights};
     const Image<Rgba8> first = executor.render(frame);
     const std::uint64_t before = gl::objectsMade();
-    for (int i = 0; i < 4; ++i) {
-        const Image<Rgba8> again = executor.render(frame);
-        EXPECT_EQ(std::memcmp(again.data().data(), first.data().data(), first.data().size() * sizeof(Rgba8)), 0);
-    }
+    for (int i = 0; i < 4; ++i) EXPECT_TRUE(isSamePicture(executor.render(frame), first));
     EXPECT_EQ(gl::objectsMade(), before);
 }
 
@@ -155,6 +154,28 @@ TEST_F(ExecutorTest, TwoExecutorsTakeTurns)
     EXPECT_EQ(first.run(s.plan, s.casters, a)[0].value, second.run(s.plan, s.casters, b)[0].value);
     second = GlExecutor();
     EXPECT_EQ(first.viewSamples(s.casters, s.view).triangle, second.viewSamples(s.casters, s.view).triangle);
+}
+
+TEST_F(ExecutorTest, AHostsContextGivesTheSamePictureWhateverStateItLeft)
+{
+    Rng rng(8);
+    const Setting s = anySetting(rng, 2, {40, 30}, 50, 41);
+    const CasterSource source = s.casters;
+    const GlExecutor::Frame frame{s.casters, source, s.view, s.plan, s.lights};
+    Image<Rgba8> own;
+    {
+        GlExecutor headless;
+        own = headless.render(frame);
+    }
+    device().makeCurrent();
+    GlExecutor hosted(GlExecutor::Context::Current);
+    for (const GLenum capability : {GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL})
+        glEnable(capability);
+    glDepthFunc(GL_LESS);
+    glClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
+    glPixelStorei(GL_PACK_ROW_LENGTH, 7);
+    EXPECT_TRUE(isSamePicture(hosted.render(frame), own));
 }
 
 TEST_F(ExecutorTest, AFrameHasATimeAndEachPassItsOwn)

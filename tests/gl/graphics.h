@@ -32,6 +32,7 @@ protected:
     void TearDown() override
     {
         if (!graphics()) return;
+        graphics()->makeCurrent(); // an executor may have left with its own
         for (const std::string& message : graphics()->takeMessages()) ADD_FAILURE() << "OpenGL: " << message;
     }
     gl::Device& device() { return *graphics(); }

@@ -30,7 +30,7 @@ TEST_F(LightDepthTest, DrawnAndTracedMapsAgreeButAtEdges)
         const double half = rng.logUniform(1e-3, 1e4);
         SmallScene scene = rng.chance(0.5) ? anyObjectsOnAFloor(rng, half) : anyTriangleSoup(rng, 60, half);
         const View view = anyViewOf(rng, {}, half, 64, 64);
-        const Light light = anyLightOn(rng, {}, half);
+        const Light light = anyLightOn(rng, {}, half, 0.1, 1e4);
         const LixelSize size{rng.integer(1, 100), rng.integer(1, 100)};
         const FramePlan plan = planFor(scene, view, {&light, 1}, size);
         if (plan.lights[0].refused) return;

@@ -78,7 +78,7 @@ TEST_F(LookupTest, AnUnoccludedPlaneOrSphereIsLitAtAnySlopeAndScale)
             scene.addQuad(toFloat(-a - b), toFloat(a - b), toFloat(a + b), toFloat(b - a));
         }
         const View view = anyViewOf(rng, scene.originWorld, half, 80, 60);
-        Light light = anyLightOn(rng, scene.originWorld, half);
+        const Light light = anyLightOn(rng, scene.originWorld, half, 1.2, 1e6);
         MapTechnique technique;
         if (rng.chance(0.3)) technique.fit = UniformFit{};
         if (rng.chance(0.3)) technique.kernel = PcfKernel{9};

@@ -3,8 +3,6 @@
 
 #include <epoxy/gl.h>
 
-#include <numbers>
-
 namespace lixel::test {
 
 TracedAtlas ShadowDrawer::drawAtlas(const FramePlan& plan, const CasterSource& casters)
@@ -36,12 +34,12 @@ std::vector<Visibility> ShadowDrawer::lookUp(const FramePlan& plan, const ViewSa
     return visibility.download();
 }
 
-Light anyLightOn(Rng& rng, Vec3d centreWorld, double half)
+Light anyLightOn(Rng& rng, Vec3d centreWorld, double half, double least, double most)
 {
     Light light;
     light.kind = LightKind(rng.integer(0, 2));
     const Vec3d from = normalized(rng.onSphere() + Vec3d{0, 1.3, 0});
-    light.positionWorld = centreWorld + rng.logUniform(2.5, 50) * half * from;
+    light.positionWorld = centreWorld + rng.logUniform(least, most) * half * from;
     light.directionWorld = normalized(centreWorld - light.positionWorld);
     light.coneAngle = rng.uniform(0.5, 1.5);
     return light;

@@ -30,7 +30,8 @@ struct ShadowDrawer
     std::vector<Visibility> lookUp(const FramePlan& plan, const ViewSamples& samples);
 };
 
-Light anyLightOn(Rng& rng, Vec3d centreWorld, double half);
+// Of any kind, above the centre and aimed at it, `least` to `most` half sizes away.
+Light anyLightOn(Rng& rng, Vec3d centreWorld, double half, double least = 2.5, double most = 50);
 
 // Lights whose plan is refused stay in it.
 FramePlan planFor(const SmallScene& scene, const View& view, std::span<const Light> lights, LixelSize lixels,

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 
 namespace lixel::test {
@@ -104,8 +105,6 @@ TEST_F(ViewSamplesTest, RasterizerAndRaysSeeTheSameSurfaces)
     // Pixels may differ where an edge, of a triangle or of an alpha mask, passes through their centre.
     EXPECT_LT(double(differing), 2e-3 * double(all)) << together << " samples agree";
     EXPECT_LT(farthest, 1e-4);
-    RecordProperty("agreeing", int(together));
-    RecordProperty("differing", int(differing));
     std::printf("%zu agree, %zu differ, farthest %g\n", together, differing, farthest);
 }
 

@@ -397,7 +397,7 @@ TEST(BuiltinText, MistakesAreNamed)
         {"bunnies(count=nan)", "expected a whole number"},
         {"bunnies(count=)", "expected a whole number"},
         {"bunnies(count= 3)", "expected a whole number"},
-        {"bunnies(size=3)", "\"size=3\" is not one of its parameters: count=8 (1 to 1000)"},
+        {"bunnies(size=3)", "\"size=3\" is not one of its parameters: count=3 (1 to 1000)"},
         {"bunnies(3,4)", "\"4\" is not one of its parameters"},
         {"bunnies(count=3,count=4)", "count is given twice"},
         {"bunnies(3,count=4)", "count is given twice"},

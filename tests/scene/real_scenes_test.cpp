@@ -46,6 +46,17 @@ class RealScenes : public testing::TestWithParam<RealScene>
 {
 };
 
+std::size_t trianglesWithArea(const Mesh& mesh)
+{
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const Vec3d a = toDouble(mesh.position[mesh.indices[i]]), b = toDouble(mesh.position[mesh.indices[i + 1]]),
+                    c = toDouble(mesh.position[mesh.indices[i + 2]]);
+        count += cross(b - a, c - a) != Vec3d{};
+    }
+    return count;
+}
+
 TEST_P(RealScenes, LoadWithTheTrianglesAndBoundsTheirListStates)
 {
     const RealScene& expected = GetParam();
@@ -54,15 +65,18 @@ TEST_P(RealScenes, LoadWithTheTrianglesAndBoundsTheirListStates)
     EXPECT_EQ(scene->animations.size(), expected.animations);
     EXPECT_TRUE(scene->warnings.empty());
 
-    std::size_t inFile = 0;
+    std::size_t inFile = 0, withArea = 0;
     for (const Node& node : scene->nodes)
-        for (const int m : node.meshes) inFile += scene->meshes[std::size_t(m)].indices.size() / 3;
+        for (const int m : node.meshes) {
+            inFile += scene->meshes[std::size_t(m)].indices.size() / 3;
+            withArea += trianglesWithArea(scene->meshes[std::size_t(m)]);
+        }
     EXPECT_EQ(inFile, expected.triangles);
 
     const Box box = sceneBounds(*scene, {});
     const SceneBuffers buffers = evaluate(scene, {}, chooseOrigin(box.centre(), box));
-    EXPECT_LE(buffers.triangles.triangleCount(), expected.triangles);
-    EXPECT_GE(double(buffers.triangles.triangleCount()), 0.9 * double(expected.triangles)); // some have no area
+    EXPECT_LE(buffers.triangles.triangleCount(), withArea);
+    EXPECT_GE(buffers.triangles.triangleCount() + 10, withArea); // some lose it by rounding
     if (expected.isSkinned) return;
     expectNear(box.min, expected.min, 0.01);
     expectNear(box.max, expected.max, 0.01);

@@ -9,10 +9,10 @@
 #include <span>
 #include <vector>
 
-// Exact visibility a second time, to check the first: the definition in lixel/trace/shadow_ray.h and lixel/shared/alpha.h,
-// read as text and worked out otherwise. No code is shared: an own tree of boxes in double, the intersection of Moeller and
-// Trumbore (Fast, Minimum Storage Ray/Triangle Intersection, JGT 2(1), 1997) in long double, an own search for the start's
-// place on its triangle, and textures wrapped by OpenGL's table.
+// Exact visibility a second time, to check the first: the definition in lixel/trace/shadow_ray.h and
+// lixel/shared/alpha.h, read as text and worked out otherwise. No code is shared: an own tree of boxes in double, the
+// intersection of Moeller and Trumbore (Fast, Minimum Storage Ray/Triangle Intersection, JGT 2(1), 1997) in long
+// double, an own search for the start's place on its triangle, and textures wrapped by OpenGL's table.
 namespace lixel::test {
 
 struct ReferenceAnswer
@@ -33,8 +33,8 @@ public:
     // Of a light-facing sample with a triangle.
     ReferenceAnswer visibility(const ViewSamples& samples, std::size_t i, const Light& light) const;
 
-    // How near the sample's ray comes to any edge in front of the light, over the distance travelled: what a disagreement
-    // is explained by.
+    // How near the sample's ray comes to any edge in front of the light, over the distance travelled: what a
+    // disagreement is explained by.
     double nearestEdge(const ViewSamples& samples, std::size_t i, const Light& light) const;
 
 private:

@@ -11,4 +11,7 @@ struct DrawState
 };
 void apply(const DrawState& state);
 
+// Likewise for what turns pixels in memory into texels and back: tightly packed rows, no buffer in between.
+void applyPixelTransfer();
+
 } // namespace lixel::gl

@@ -107,7 +107,11 @@ void Texture::resize(std::uint32_t internalFormat, int width, int height, int la
     *this = Texture(internalFormat, width, height, layers);
 }
 
-void Texture::bind(int unit) const { glBindTextureUnit(GLuint(unit), name()); }
+void Texture::bind(int unit) const
+{
+    glBindTextureUnit(GLuint(unit), name());
+    glBindSampler(GLuint(unit), 0);
+}
 
 Framebuffer::Framebuffer(std::span<const Texture* const> colours, const Texture* depth)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/gl/passes/plan_tables.h"
 
+#include "lixel/gl/device/draw_state.h"
 #include "lixel/shared/gl_slots.h"
 
 #include <epoxy/gl.h>
@@ -48,6 +49,7 @@ void ShadowAtlas::resize(const Device& device, const FramePlan& plan)
 std::vector<Image<float>> ShadowAtlas::download(int layers) const
 {
     std::vector<Image<float>> maps;
+    applyPixelTransfer();
     for (int layer = 0; layer < layers; ++layer) {
         Image<float>& map = maps.emplace_back(depth.width(), depth.height());
         glGetTextureSubImage(depth.name(), 0, 0, 0, layer, depth.width(), depth.height(), 1, GL_DEPTH_COMPONENT,

@@ -2,6 +2,7 @@
 #include "lixel/gl/passes/shade_pass.h"
 
 #include "lixel/base/assert.h"
+#include "lixel/gl/device/draw_state.h"
 #include "lixel/plan/shading_light.h"
 #include "lixel/shared/gl_slots.h"
 
@@ -51,7 +52,7 @@ Image<Rgba8> ShadePass::download() const
 {
     Image<Rgba8> image(picture_.width(), picture_.height());
     const auto bytes = GLsizei(image.data().size() * sizeof(Rgba8));
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    applyPixelTransfer();
     glGetTextureImage(picture_.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes, image.data().data());
     return image;
 }

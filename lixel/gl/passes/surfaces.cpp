@@ -2,6 +2,7 @@
 #include "lixel/gl/passes/surfaces.h"
 
 #include "lixel/base/assert.h"
+#include "lixel/gl/device/draw_state.h"
 #include "lixel/shared/alpha.h"
 #include "lixel/shared/gl_slots.h"
 #include "lixel/shared/view_tables.h"
@@ -79,6 +80,7 @@ gl::Texture makeMipmapped(int width, int height)
 
 void fillMipmapped(const gl::Texture& texture, const Image<Rgba8>& pixels)
 {
+    applyPixelTransfer();
     glTextureSubImage2D(texture.name(), 0, 0, 0, pixels.width(), pixels.height(), GL_RGBA, GL_UNSIGNED_BYTE,
                         pixels.data().data());
     glGenerateTextureMipmap(texture.name());
@@ -104,6 +106,7 @@ Surfaces::Surfaces(const Device& device) : device_(&device), vertexArray_(makeVe
     missing_.assign(std::span<const Vec4f>(missing));
     white_ = gl::Texture(GL_RGBA8, 1, 1);
     const std::uint32_t texel = 0xffffffffu;
+    applyPixelTransfer();
     glTextureSubImage2D(white_.name(), 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &texel);
 }
 

@@ -2,13 +2,13 @@
 // What is seen through a pixel's centre: the triangle, its base colour and its shading normal. Positions are not
 // interpolated: gather.comp.glsl takes them from the triangle itself.
 //   MASKED   the surface has holes
+#include "lixel/gl/shaders/materials.glsl"
+#include "lixel/gl/shaders/octahedron.glsl"
 #ifdef MASKED
 #include "lixel/gl/shaders/alpha.glsl"
 #else
-layout(binding = 0) uniform sampler2D surfaceTexture;
+layout(binding = kUnitSurface) uniform sampler2D surfaceTexture;
 #endif
-#include "lixel/gl/shaders/materials.glsl"
-#include "lixel/gl/shaders/octahedron.glsl"
 
 layout(location = 1) uniform uint firstTriangle; // of this draw
 

@@ -63,10 +63,11 @@ void addStage(Scene& scene)
     addPlane(scene, "wall", {0, 0, kBack}, {0, 0, 1});
 }
 
-// Evenly over an ellipse, as a sunflower sets its seeds; the ball has the middle.
+// Evenly over an ellipse, as a sunflower sets its seeds; the ball has the middle. Few stand closer to it.
 std::vector<Jumper> addJumpers(Scene& scene, int count)
 {
     const double size = std::min(1.0, std::sqrt(8.0 / count));
+    const double reach = std::clamp(std::sqrt(count / 8.0), 0.75, 1.0);
     std::vector<int> bunnies;
     const Mesh shape = bunny();
     for (int i = 0; i < std::min(count, int(kFur.size())); ++i)
@@ -76,7 +77,7 @@ std::vector<Jumper> addJumpers(Scene& scene, int count)
     for (int i = 0; i < count; ++i) {
         const double r = std::sqrt((i + 1.0) / (count + 0.5)), a = kGoldenAngle * i + 0.5;
         Jumper j;
-        j.standing = {3.5 * r * std::cos(a), 0, 0.3 + 2.35 * r * std::sin(a)};
+        j.standing = {3.5 * reach * r * std::cos(a), 0, 0.3 + 2.35 * reach * r * std::sin(a)};
         j.turnDegrees = 137.5 * i + 200;
         j.scale = size;
         j.jumps = 4 + i % 3;
@@ -145,7 +146,7 @@ Scene build(std::span<const double> values)
     return scene;
 }
 
-constexpr BuiltinParameter kParameters[] = {{"count", 8, 1, 1000, "bunnies"}};
+constexpr BuiltinParameter kParameters[] = {{"count", 3, 1, 1000, "bunnies"}};
 
 } // namespace
 
