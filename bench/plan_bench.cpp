@@ -39,9 +39,10 @@ void planOneLight(benchmark::State& state, const FitChoice& fit, LightKind kind)
     input.casterBoxesWorld = boxes;
     input.technique.fit = fit;
     input.lixels = {512, 512};
+    FitScratch scratch;
     FramePlan plan;
     for (auto _ : state) {
-        plan = planShadows(input, std::move(plan));
+        plan = planShadows(input, scratch, std::move(plan));
         benchmark::DoNotOptimize(plan.regionTable.data());
     }
     state.counters["boxes"] = double(boxes.size());

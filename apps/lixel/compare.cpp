@@ -5,11 +5,13 @@
 #include "lixel/report/html.h"
 #include "lixel/report/json.h"
 #include "lixel/report/write_file.h"
-#include "lixel/scene/framing.h"
+#include "output.h"
 #include "run_results.h"
 #include "text.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -48,8 +50,8 @@ std::vector<TechniqueChoice> withExact(std::vector<TechniqueChoice> techniques)
 
 void printSummary(const RunResults& results, std::FILE* to)
 {
-    fmt::print(to, "{:<24} {:<14} {:<34} {:<6} {:>14} {:>12} {:>10}\n", "view", "light", "technique", "by", "misclassified",
-               "interior", "frame");
+    fmt::print(to, "{:<24} {:<14} {:<34} {:<6} {:>14} {:>12} {:>10}\n", "view", "light", "technique", "by",
+               "misclassified", "interior", "frame");
     for (const ResultRow& row : results.rows) {
         fmt::print(to, "{:<24} {:<14} {:<34} {:<6} ", row.view, row.light, row.technique, row.executor);
         if (const Refusal* refusal = row.refused()) {
@@ -57,11 +59,50 @@ void printSummary(const RunResults& results, std::FILE* to)
             continue;
         }
         const Measurement& m = *row.measured();
-        const auto percent = [](std::int64_t part, std::int64_t whole) { return whole > 0 ? 100.0 * double(part) / double(whole) : 0.0; };
-        fmt::print(to, "{:>12.4f} % {:>10.4f} % {:>10}\n", percent(m.misclassified, m.lightFacing),
+        const auto percent = [](std::int64_t part, std::int64_t whole) {
+            return whole > 0 ? fmt::format("{:.4f} %", 100.0 * double(part) / double(whole)) : "no samples";
+        };
+        fmt::print(to, "{:>14} {:>12} {:>10}\n", percent(m.misclassified, m.lightFacing),
                    percent(m.interior.misclassified, m.interior.samples),
                    m.timing.frameMs ? fmt::format("{:.1f} ms", *m.timing.frameMs) : "");
     }
+}
+
+// The folder of the report and what it will hold, asked for before the work begins.
+struct ReportFolder
+{
+    ReportFolder(const std::filesystem::path& path, bool withPictures) : folder(path)
+    {
+        if (withPictures) pictures.emplace(path / "pictures");
+        for (const char* name : {"results.json", "report.html"}) expectWritable(path / name);
+    }
+    OutputFolder folder;
+    std::optional<OutputFolder> pictures;
+};
+
+std::vector<ResultRow> compareAll(const Shooting& shooting, std::span<const std::unique_ptr<Executor>> executors,
+                                  const ComparisonOptions& options)
+{
+    std::vector<ResultRow> all;
+    Progress progress("compare", int(shooting.shots.size()) * stepsPerShot(executors.size(), options));
+    std::optional<Stage> stage;
+    for (const Shot& shot : shooting.shots) {
+        const Vec3d origin = originOf(shooting, shot);
+        if (!stage || !(stage->buffers.triangles.originWorld == origin))
+            stage = makeStage(shooting.scene, shooting.evaluateOptions, origin);
+        std::vector<ResultRow> rows = compareShot(shooting, shot, *stage, viewOf(shooting, shot), executors, options,
+                                                  [&](std::string_view now) { progress.step(now); });
+        all.insert(all.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
+    }
+    return all;
+}
+
+// Refused as a whole: there were maps to make, and none could be made.
+int exitCodeOf(const RunResults& results)
+{
+    const auto isMap = [](const ResultRow& row) { return row.measured() && row.measured()->lixelsUsed > 0; };
+    const auto isRefused = [](const ResultRow& row) { return row.refused() != nullptr; };
+    return std::ranges::any_of(results.rows, isRefused) && std::ranges::none_of(results.rows, isMap) ? kRefused : kDone;
 }
 
 int runCompare(const CompareOptions& options, const std::string& commandLine)
@@ -70,48 +111,34 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
     comparison.techniques = withExact(readTechniques(options.techniques));
     comparison.lixels = readSize(options.lixels, "--lixels", kMostLixelsASide);
     comparison.timingFrames = options.timingFrames;
-    if (options.output.empty() && options.json.empty()) throw UsageError("compare: give -o FOLDER for the report, or --json FILE (or -)");
+    if (options.output.empty() && options.json.empty())
+        throw UsageError("compare: give -o FOLDER for the report, or --json FILE (or -)");
+    if (options.output == "-") throw UsageError("compare -o -: expected the name of a folder");
+    const std::filesystem::path output = options.output;
+    std::optional<ReportFolder> report;
+    if (!options.output.empty()) report.emplace(output, !options.withoutPictures);
+    if (report && report->pictures) comparison.pictures = output;
+    if (!options.json.empty()) expectWritable(options.json);
     const Shooting shooting = prepare(options.picture, true);
     const auto executors = makeExecutors(options.executor);
-    const bool wantsPictures = !options.output.empty() && !options.withoutPictures;
-    if (!options.output.empty()) makeFolder(options.output);
-    if (wantsPictures) {
-        comparison.pictures = options.output;
-        makeFolder(comparison.pictures / "pictures");
-    }
+    tellWarnings(*shooting.scene);
 
-    RunResults results = beginResults(commandLine);
+    RunResults results;
     const Stopwatch total;
-    {
-        Progress progress("compare", int(shooting.shots.size()) * stepsPerShot(executors.size(), comparison));
-        std::optional<Stage> stage;
-        for (const Shot& shot : shooting.shots) {
-            const Vec3d origin = chooseOrigin(shot.camera.eyeWorld, shooting.sceneWorld);
-            if (!stage || !(stage->buffers.triangles.originWorld == origin))
-                stage = makeStage(shooting.scene, shooting.evaluateOptions, origin);
-            const View view = makeView(shot.camera, shooting.width, shooting.height, shooting.sceneWorld);
-            std::vector<ResultRow> rows = compareShot(shooting, shot, *stage, view, executors, comparison,
-                                                      [&](std::string_view now) { progress.step(now); });
-            results.rows.insert(results.rows.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
-        }
-    }
-    finishResults(results, total.seconds(), executors.front()->host());
+    results.rows = compareAll(shooting, executors, comparison);
+    finishResults(results, commandLine, total.seconds(), executors.front()->host());
 
-    if (!options.json.empty()) writeTextOrPrint(options.json, toJson(results));
-    if (!options.output.empty()) {
-        const std::filesystem::path folder = options.output;
-        writeFileAtomically(folder / "results.json", toJson(results));
-        writeReport(folder, results);
+    const std::string json = toJson(results);
+    if (!options.json.empty()) writeOrPrint(options.json, json);
+    if (report) {
+        writeFileAtomically(output / "results.json", json);
+        writeReport(output, results);
     }
     // With JSON on standard output the table goes beside it.
-    printSummary(results, options.json == "-" ? stderr : stdout);
-    if (!options.output.empty())
-        fmt::print(options.json == "-" ? stderr : stdout, "report: {}\n", (std::filesystem::path(options.output) / "report.html").string());
-    const bool anyMap = std::any_of(results.rows.begin(), results.rows.end(), [](const ResultRow& row) {
-        return row.measured() && row.measured()->lixelsUsed > 0;
-    });
-    const bool anyRefused = std::any_of(results.rows.begin(), results.rows.end(), [](const ResultRow& row) { return row.refused(); });
-    return anyRefused && !anyMap ? kRefused : kDone;
+    std::FILE* const told = options.json == "-" ? stderr : stdout;
+    printSummary(results, told);
+    if (report) fmt::print(told, "report: {}\n", (output / "report.html").string());
+    return exitCodeOf(results);
 }
 
 } // namespace
@@ -119,7 +146,8 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
 Command addCompare(CLI::App& parent, const std::string& commandLine)
 {
     auto o = std::make_shared<CompareOptions>();
-    CLI::App* app = parent.add_subcommand("compare", "how wrong techniques are against exact visibility, and what they cost");
+    CLI::App* app =
+        parent.add_subcommand("compare", "how wrong techniques are against exact visibility, and what they cost");
     addPictureOptions(*app, o->picture);
     app->add_option("--techniques", o->techniques, "comma-separated (lixel techniques)")->capture_default_str();
     app->add_option("--lixels", o->lixels, "budget of each light, WIDTHxHEIGHT")->capture_default_str();

@@ -2,12 +2,10 @@
 #include "comparison.h"
 
 #include "exit_code.h"
-#include "lixel/plan/footprint.h"
 #include "lixel/report/false_colour.h"
 #include "lixel/report/png.h"
-#include "lixel/trace/exact_area.h"
 #include "lixel/trace/exact_visibility.h"
-#include "lixel/trace/trace_scene.h"
+#include "shadows.h"
 #include "text.h"
 
 #include <algorithm>
@@ -49,7 +47,9 @@ std::optional<Percentiles> percentiles(std::vector<double> values)
 {
     if (values.empty()) return std::nullopt;
     std::sort(values.begin(), values.end());
-    const auto at = [&](double share) { return values[std::min(values.size() - 1, std::size_t(share * double(values.size())))]; };
+    const auto at = [&](double share) {
+        return values[std::min(values.size() - 1, std::size_t(share * double(values.size())))];
+    };
     return Percentiles{at(0.01), at(0.1), at(0.5), at(0.9), at(0.99), values.back()};
 }
 
@@ -63,20 +63,16 @@ struct Density
 Density densityOf(const ShotContext& context, const ShadowPlan& plan, std::size_t light)
 {
     Density out;
-    out.lixelsPerPixel = Image<float>(context.samples.width, context.samples.height, std::numeric_limits<float>::quiet_NaN());
+    out.lixelsPerPixel =
+        Image<float>(context.samples.width, context.samples.height, std::numeric_limits<float>::quiet_NaN());
+    const ServedFootprints footprints(context.view, context.samples.originWorld, plan);
     for (std::size_t i = 0; i < context.samples.size(); ++i) {
         if (context.truth.zones[light][i] == Zone::FacingAway) continue;
-        const Vec3d p = toDouble(context.samples.positionLocal[i]);
-        for (const PlannedRegion& region : plan.regions) {
-            const LightImage image(region.lightClipFromLocal, region.rectangle);
-            const auto f = footprint(context.view, context.samples.originWorld, image, p, toDouble(context.samples.normal[i]));
-            if (!f) continue;
-            const int x = int(context.samples.pixel[i].x), y = int(context.samples.pixel[i].y);
-            out.lixelsPerPixel(x, y) = float(f->lixelsPerPixel);
-            out.pixelsPerLixel.push_back(f->pixelsPerLixel);
-            out.lixelsPerPixelList.push_back(f->lixelsPerPixel);
-            break;
-        }
+        const auto f = footprints.at(toDouble(context.samples.positionLocal[i]), toDouble(context.samples.normal[i]));
+        if (!f) continue;
+        out.lixelsPerPixel(int(context.samples.pixel[i].x), int(context.samples.pixel[i].y)) = float(f->lixelsPerPixel);
+        out.pixelsPerLixel.push_back(f->pixelsPerLixel);
+        out.lixelsPerPixelList.push_back(f->lixelsPerPixel);
     }
     return out;
 }
@@ -109,9 +105,11 @@ Measurement measured(const ShotContext& context, std::size_t light, const Visibi
 class PictureWriter
 {
 public:
+    // The number keeps apart what differs in signs only.
     PictureWriter(const ShotContext& context, const TechniqueChoice& choice, std::string_view executor)
         : folder_(context.options.pictures),
-          stem_(fmt::format("{}-{}-{}", slug(context.shot.name), slug(choice.typed), executor))
+          stem_(fmt::format("{}-{}-{}-{}", slug(context.shot.name), &choice - context.options.techniques.data(),
+                            slug(choice.typed), executor))
     {
     }
 
@@ -128,49 +126,57 @@ private:
     std::string stem_;
 };
 
+// What the map of a light costs, and how its lixels lie on the picture.
+void addMap(const ShotContext& context, const FramePlan& plan, std::size_t light, const PictureWriter& pictures,
+            const std::string& lightName, Measurement& m)
+{
+    m.lixelsUsed = plan.lixelsOf(light);
+    m.bytes = m.lixelsUsed * plan.lookup.bytesPerLixel;
+    Density density = densityOf(context, plan.lights[light], light);
+    if (pictures.isWanted())
+        m.pictures.density = pictures.write(densityPicture(density.lixelsPerPixel), lightName + "-density");
+    m.footprintPixelsPerLixel = percentiles(std::move(density.pixelsPerLixel));
+    m.densityLixelsPerPixel = percentiles(std::move(density.lixelsPerPixelList));
+}
+
 // The rows of one technique by one executor: one a light.
 std::vector<ResultRow> rowsOf(const ShotContext& context, Executor& executor, const TechniqueChoice& choice,
                               std::span<const Visibility> visibility, const FramePlan* plan)
 {
     const PictureWriter pictures(context, choice, executor.name());
+    const bool servesAny = !plan || plan->layers > 0;
     std::string shaded;
-    if (pictures.isWanted())
-        shaded = pictures.write(executor.shade(context.stage, context.view, context.shot.lights, context.samples, visibility), "shaded");
+    if (pictures.isWanted() && servesAny)
+        shaded = pictures.write(
+            executor.shade(context.stage, context.view, context.shot.lights, context.samples, visibility), "shaded");
     RowTiming timing;
-    if (plan && context.options.timingFrames > 0 && plan->layers > 0)
+    if (plan && servesAny && context.options.timingFrames > 0)
         timing = executor.time(context.stage, *plan, context.view, context.options.timingFrames);
 
     std::vector<ResultRow> rows;
     for (std::size_t light = 0; light < context.shot.lights.size(); ++light) {
-        ResultRow row = keyOf(context, choice, light, executor.name());
+        ResultRow& row = rows.emplace_back(keyOf(context, choice, light, executor.name()));
         if (plan && plan->lights[light].refused) {
             const FitFailure reason = *plan->lights[light].refused;
             row.outcome = Refusal{std::string(nameOf(reason)), std::string(sentenceFor(reason))};
-            rows.push_back(std::move(row));
             continue;
         }
         Measurement m = measured(context, light, visibility[light]);
         m.timing = timing;
         m.pictures.shaded = shaded;
-        const std::string lightName = fmt::format("{}-{}", light, slug(context.shot.lights[light].name));
+        const std::string lightName = fmt::format("{}-{}", light, slug(row.light));
         if (pictures.isWanted())
-            m.pictures.error = pictures.write(errorPicture(verdicts(context, light, visibility[light])), lightName + "-error");
-        if (plan) {
-            m.lixelsUsed = plan->lixelsOf(light);
-            m.bytes = m.lixelsUsed * plan->lookup.bytesPerLixel;
-            Density density = densityOf(context, plan->lights[light], light);
-            if (pictures.isWanted()) m.pictures.density = pictures.write(densityPicture(density.lixelsPerPixel), lightName + "-density");
-            m.footprintPixelsPerLixel = percentiles(std::move(density.pixelsPerLixel));
-            m.densityLixelsPerPixel = percentiles(std::move(density.lixelsPerPixelList));
-        }
+            m.pictures.error =
+                pictures.write(errorPicture(verdicts(context, light, visibility[light])), lightName + "-error");
+        if (plan) addMap(context, *plan, light, pictures, lightName, m);
         row.outcome = std::move(m);
-        rows.push_back(std::move(row));
     }
     return rows;
 }
 
 // Rows of the two executors side by side carry how far they agree.
-void addAgreement(const ShotContext& context, std::vector<ResultRow>& rows, std::span<const std::vector<Visibility>> visibility,
+void addAgreement(const ShotContext& context, std::vector<ResultRow>& rows,
+                  std::span<const std::vector<Visibility>> visibility,
                   std::span<const std::unique_ptr<Executor>> executors)
 {
     const std::size_t lights = context.shot.lights.size();
@@ -178,23 +184,40 @@ void addAgreement(const ShotContext& context, std::vector<ResultRow>& rows, std:
         for (std::size_t light = 0; light < lights; ++light) {
             auto* m = std::get_if<Measurement>(&rows[e * lights + light].outcome);
             if (!m) continue;
-            const ExecutorAgreement a = agreement(context.truth.zones[light], visibility[0][light], visibility[1][light],
-                                                  context.truth.exact[light]);
-            m->agreement = Agreement{std::string(executors[1 - e]->name()), a.agreementPercent(),
-                                     a.misclassifiedByEither > 0 ? std::optional(a.sharedMisclassifiedPercent()) : std::nullopt};
+            const ExecutorAgreement a = agreement(context.truth.zones[light], visibility[0][light],
+                                                  visibility[1][light], context.truth.exact[light]);
+            m->agreement =
+                Agreement{std::string(executors[1 - e]->name()), a.agreementPercent(),
+                          a.misclassifiedByEither > 0 ? std::optional(a.sharedMisclassifiedPercent()) : std::nullopt};
         }
 }
 
 std::vector<Visibility> withoutMap(const ShotContext& context, const Technique& technique)
 {
+    if (!std::holds_alternative<ExactTechnique>(technique))
+        return visibilityByRays(technique, context.stage, context.view, context.samples, context.shot.lights);
     std::vector<Visibility> out;
-    for (std::size_t light = 0; light < context.shot.lights.size(); ++light) {
-        if (const auto* area = std::get_if<ExactAreaTechnique>(&technique))
-            out.push_back({exactArea(*context.stage.traced, context.view, context.samples, context.shot.lights[light], area->samples), {}});
-        else
-            out.push_back({context.truth.exact[light], {}});
-    }
+    for (const std::vector<float>& exact : context.truth.exact) out.push_back({exact, {}});
     return out;
+}
+
+// The rows of one technique: executors x lights.
+std::vector<ResultRow> rowsOfAll(const ShotContext& context, std::span<const std::unique_ptr<Executor>> executors,
+                                 const TechniqueChoice& choice, const std::function<void(std::string_view)>& onStep)
+{
+    const auto plan =
+        planFor(choice.technique, context.stage, context.view, context.shot.lights, context.options.lixels);
+    std::vector<ResultRow> rows;
+    std::vector<std::vector<Visibility>> visibility;
+    for (const auto& executor : executors) {
+        onStep(fmt::format("{}: {} ({})", context.shot.name, choice.typed, executor->name()));
+        if (plan) visibility.push_back(executor->run(context.stage, *plan, context.samples));
+        else visibility.push_back(visibility.empty() ? withoutMap(context, choice.technique) : visibility.front());
+        std::vector<ResultRow> some = rowsOf(context, *executor, choice, visibility.back(), plan ? &*plan : nullptr);
+        rows.insert(rows.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
+    }
+    if (executors.size() == 2) addAgreement(context, rows, visibility, executors);
+    return rows;
 }
 
 } // namespace
@@ -231,7 +254,8 @@ int stepsPerShot(std::size_t executors, const ComparisonOptions& options)
 }
 
 std::vector<ResultRow> compareShot(const Shooting& shooting, const Shot& shot, const Stage& stage, const View& view,
-                                   std::span<const std::unique_ptr<Executor>> executors, const ComparisonOptions& options,
+                                   std::span<const std::unique_ptr<Executor>> executors,
+                                   const ComparisonOptions& options,
                                    const std::function<void(std::string_view)>& onStep)
 {
     onStep(shot.name + ": view samples");
@@ -242,18 +266,7 @@ std::vector<ResultRow> compareShot(const Shooting& shooting, const Shot& shot, c
 
     std::vector<ResultRow> all;
     for (const TechniqueChoice& choice : options.techniques) {
-        std::vector<ResultRow> rows;
-        std::vector<std::vector<Visibility>> visibility;
-        std::optional<FramePlan> plan;
-        if (const auto* map = std::get_if<MapTechnique>(&choice.technique))
-            plan = planShadows({view, shot.lights, stage.buffers.bounds.boxesWorld, stage.buffers.triangles.originWorld, *map, options.lixels});
-        for (const auto& executor : executors) {
-            onStep(fmt::format("{}: {} ({})", shot.name, choice.typed, executor->name()));
-            visibility.push_back(plan ? executor->run(stage, *plan, samples) : withoutMap(context, choice.technique));
-            std::vector<ResultRow> some = rowsOf(context, *executor, choice, visibility.back(), plan ? &*plan : nullptr);
-            rows.insert(rows.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
-        }
-        if (executors.size() == 2) addAgreement(context, rows, visibility, executors);
+        std::vector<ResultRow> rows = rowsOfAll(context, executors, choice, onStep);
         all.insert(all.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
     }
     return all;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "executor.h"
 
-#include "executor_error.h"
 #include "exit_code.h"
+#include "lixel/gl/graphics_error.h"
 #include "lixel/trace/shade.h"
 #include "lixel/trace/trace_executor.h"
 #include "lixel/trace/trace_view_samples.h"
@@ -33,7 +33,10 @@ class TraceAdapter final : public Executor
 {
 public:
     std::string_view name() const override { return "trace"; }
-    ViewSamples viewSamples(const Stage& stage, const View& view) override { return traceViewSamples(*stage.traced, view); }
+    ViewSamples viewSamples(const Stage& stage, const View& view) override
+    {
+        return traceViewSamples(*stage.traced, view);
+    }
     std::vector<Visibility> run(const Stage& stage, const FramePlan& plan, const ViewSamples& samples) override
     {
         return runTraced(*stage.traced, plan, samples);
@@ -102,16 +105,12 @@ private:
     GlExecutor executor_;
 };
 
+std::unique_ptr<Executor> makeGl() { return std::make_unique<GlAdapter>(); }
+#else
 std::unique_ptr<Executor> makeGl()
 {
-    try {
-        return std::make_unique<GlAdapter>();
-    } catch (const gl::GraphicsError& error) {
-        throw NoGraphicsError(error.what());
-    }
+    throw gl::GraphicsError("this lixel was built without OpenGL; use --executor trace");
 }
-#else
-std::unique_ptr<Executor> makeGl() { throw NoGraphicsError("built without OpenGL: use --executor trace"); }
 #endif
 
 } // namespace

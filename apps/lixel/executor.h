@@ -45,14 +45,14 @@ public:
     virtual RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames) = 0;
 
     // The picture with this visibility, one a light; an empty one counts as lit.
-    virtual Image<Rgba8> shade(const Stage& stage, const View& view, std::span<const Light> lights, const ViewSamples& samples,
-                               std::span<const Visibility> visibility) = 0;
+    virtual Image<Rgba8> shade(const Stage& stage, const View& view, std::span<const Light> lights,
+                               const ViewSamples& samples, std::span<const Visibility> visibility) = 0;
 
     // What the results say of the machine: the driver, the processor.
     virtual std::string host() const = 0;
 };
 
-// By the word after --executor: "gl" or "trace". Throws UsageError, GraphicsError.
+// By the word after --executor: "gl" or "trace". Throws UsageError, gl::GraphicsError.
 std::unique_ptr<Executor> makeExecutor(std::string_view name);
 
 } // namespace lixel::app

@@ -6,8 +6,7 @@
 namespace lixel::app {
 
 // What the command line ends with.
-enum ExitCode
-{
+enum ExitCode {
     kDone = 0,
     kFailed = 1,
     kBadUsage = 2,

@@ -16,8 +16,9 @@ namespace {
 
 int printTechniques()
 {
-    fmt::print("A technique is words joined by +, in any order: at most one partition, fit, store and kernel.\n"
-               "Left out: whole + focused + depths(1) + pcf(1). word:a means word(a), so that a shell needs no quotes.\n\n");
+    fmt::print(
+        "A technique is words joined by +, in any order: at most one partition, fit, store and kernel.\n"
+        "Left out: whole + focused + depths(1) + pcf(1). word:a means word(a), so that a shell needs no quotes.\n\n");
     std::string_view kind;
     for (const TechniqueWord& word : techniqueWords()) {
         if (word.kind != kind) fmt::print("{}\n", word.kind);
@@ -47,8 +48,9 @@ int printScenes(const std::string& only)
             fmt::print("  --view {:<18} {} [{}]\n", view.name, view.description, lights);
         }
     }
-    if (!found) throw UsageError(fmt::format("scene \"{}\" is not built in", only));
-    if (only.empty()) fmt::print("\nlixel scenes NAME lists its views. Any other SCENE is a .gltf, .glb or .obj file.\n");
+    if (!found) throw UsageError(fmt::format("scene \"{}\" is not built in (lixel scenes)", only));
+    if (only.empty())
+        fmt::print("\nlixel scenes NAME lists its views. Any other SCENE is a .gltf, .glb or .obj file.\n");
     return kDone;
 }
 

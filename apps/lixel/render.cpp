@@ -2,18 +2,18 @@
 #include "commands.h"
 #include "comparison.h"
 #include "exit_code.h"
-#include "lixel/plan/footprint.h"
 #include "lixel/report/exr.h"
-#include "lixel/report/json.h"
 #include "lixel/report/png.h"
-#include "lixel/scene/framing.h"
-#include "lixel/trace/exact_area.h"
 #include "lixel/trace/exact_visibility.h"
-#include "lixel/trace/trace_scene.h"
+#include "output.h"
 #include "run_results.h"
+#include "shadows.h"
 #include "text.h"
 
-#include <cstdio>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +21,8 @@
 
 namespace lixel::app {
 namespace {
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 struct RenderOptions
 {
@@ -39,29 +41,30 @@ struct Picture
     const Stage& stage;
     View view;
     ViewSamples samples;
-    std::vector<Visibility> visibility;
-    std::optional<FramePlan> plan;
+    std::optional<FramePlan> plan;      // of a technique with a map
+    std::vector<Visibility> visibility; // one a light
 };
 
-std::vector<Visibility> visibilityOf(Picture& picture, Executor& executor, const TechniqueChoice& choice, LixelSize lixels)
+// Throws RefusedError where a light's shadows cannot be had; one that reaches nothing in the picture has none to make.
+void expectPlanned(const FramePlan& plan, const TechniqueChoice& choice, std::span<const Light> lights)
 {
-    if (const auto* map = std::get_if<MapTechnique>(&choice.technique)) {
-        picture.plan = planShadows({picture.view, picture.shot.lights, picture.stage.buffers.bounds.boxesWorld,
-                                    picture.stage.buffers.triangles.originWorld, *map, lixels});
-        for (std::size_t i = 0; i < picture.shot.lights.size(); ++i)
-            if (const auto& refused = picture.plan->lights[i].refused)
-                throw RefusedError(fmt::format("{}: light \"{}\": refused: {} ({})", choice.typed, picture.shot.lights[i].name,
-                                               sentenceFor(*refused), nameOf(*refused)));
-        return executor.run(picture.stage, *picture.plan, picture.samples);
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (const auto refused = plan.lights[i].refused; refused && *refused != FitFailure::NothingInView)
+            throw RefusedError(fmt::format("{}: light \"{}\" is refused: {} ({}); --technique exact serves every light",
+                                           choice.typed, lights[i].name, sentenceFor(*refused), nameOf(*refused)));
+}
+
+void addShadows(Picture& picture, Executor& executor, const TechniqueChoice& choice, LixelSize lixels)
+{
+    const auto& lights = picture.shot.lights;
+    picture.plan = planFor(choice.technique, picture.stage, picture.view, lights, lixels);
+    if (!picture.plan) {
+        picture.visibility = visibilityByRays(choice.technique, picture.stage, picture.view, picture.samples, lights);
+        return;
     }
-    std::vector<Visibility> out;
-    for (const Light& light : picture.shot.lights) {
-        if (const auto* area = std::get_if<ExactAreaTechnique>(&choice.technique))
-            out.push_back({exactArea(*picture.stage.traced, picture.view, picture.samples, light, area->samples), {}});
-        else
-            out.push_back({exactVisibility(*picture.stage.traced, picture.samples, light), {}});
-    }
-    return out;
+    expectPlanned(*picture.plan, choice, lights);
+    picture.visibility = executor.run(picture.stage, *picture.plan, picture.samples);
+    for (Visibility& light : picture.visibility) light.value.resize(picture.samples.size(), 0.0f);
 }
 
 // A float plane of the picture, filled from values of the samples; what no sample covers keeps `empty`.
@@ -92,12 +95,10 @@ private:
     std::vector<Image<float>> planes_;
 };
 
-void writeChannels(const RenderOptions& options, const Picture& picture)
+void addSurfaces(Channels& channels, const Picture& picture)
 {
     const ViewSamples& s = picture.samples;
     const Mat4d clip = clipFromLocal(picture.view, s.originWorld);
-    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-    Channels channels(s);
     channels.add("position.X", kNone, [&](std::size_t i) { return s.positionLocal[i].x; });
     channels.add("position.Y", kNone, [&](std::size_t i) { return s.positionLocal[i].y; });
     channels.add("position.Z", kNone, [&](std::size_t i) { return s.positionLocal[i].z; });
@@ -106,58 +107,97 @@ void writeChannels(const RenderOptions& options, const Picture& picture)
     channels.add("normal.Z", 0, [&](std::size_t i) { return s.normal[i].z; });
     channels.add("depth.Z", 1, [&](std::size_t i) { return project(clip, toDouble(s.positionLocal[i])).z; });
     channels.add("receiver.A", 0, [](std::size_t) { return 1; });
-    const auto& lights = picture.shot.lights;
-    for (std::size_t light = 0; light < lights.size(); ++light) {
-        const auto named = [&](const char* what, const char* channel) {
-            return lights.size() == 1 ? fmt::format("{}.{}", what, channel) : fmt::format("{}.{}.{}", what, lights[light].name, channel);
-        };
-        // As everywhere, what faces away is dark without a test.
-        const auto faces = [&](std::size_t i) {
-            return isLightFacing(lights[light], s.originWorld, toDouble(s.positionLocal[i]), toDouble(s.normal[i]));
-        };
-        channels.add(named("visibility", "V"), 0, [&](std::size_t i) { return faces(i) ? picture.visibility[light].value[i] : 0.0f; });
-        if (options.withExact) {
-            const std::vector<float> exact = exactVisibility(*picture.stage.traced, s, lights[light]);
-            channels.add(named("exact", "V"), 0, [&](std::size_t i) { return exact[i]; });
-        }
-        if (!picture.plan) continue;
-        const PlannedRegion& region = picture.plan->lights[light].regions.front();
-        const LightImage image(region.lightClipFromLocal, region.rectangle);
-        const auto at = [&](std::size_t i) {
-            return footprint(picture.view, s.originWorld, image, toDouble(s.positionLocal[i]), toDouble(s.normal[i]));
-        };
-        if (options.withFootprint)
-            channels.add(named("footprint", "S"), kNone, [&](std::size_t i) { const auto f = at(i); return f ? f->pixelsPerLixel : NAN; });
-        if (options.withDensity)
-            channels.add(named("density", "S"), kNone, [&](std::size_t i) { const auto f = at(i); return f ? f->lixelsPerPixel : NAN; });
+}
+
+void addLight(Channels& channels, const Picture& picture, std::size_t index, const RenderOptions& options)
+{
+    const ViewSamples& s = picture.samples;
+    const Light& light = picture.shot.lights[index];
+    const auto named = [&](const char* what, const char* channel) {
+        return picture.shot.lights.size() == 1 ? fmt::format("{}.{}", what, channel)
+                                               : fmt::format("{}.{}.{}", what, light.name, channel);
+    };
+    // As everywhere, what faces away is dark without a test.
+    const auto faces = [&](std::size_t i) {
+        return isLightFacing(light, s.originWorld, toDouble(s.positionLocal[i]), toDouble(s.normal[i]));
+    };
+    channels.add(named("visibility", "V"), 0,
+                 [&](std::size_t i) { return faces(i) ? picture.visibility[index].value[i] : 0.0f; });
+    if (options.withExact) {
+        const std::vector<float> exact = exactVisibility(*picture.stage.traced, s, light);
+        channels.add(named("exact", "V"), 0, [&](std::size_t i) { return exact[i]; });
     }
-    channels.write(options.exr);
+    if (!picture.plan) return;
+    const ServedFootprints footprints(picture.view, s.originWorld, picture.plan->lights[index]);
+    const auto at = [&](std::size_t i) { return footprints.at(toDouble(s.positionLocal[i]), toDouble(s.normal[i])); };
+    if (options.withFootprint)
+        channels.add(named("footprint", "S"), kNone, [&](std::size_t i) {
+            const auto f = at(i);
+            return f ? f->pixelsPerLixel : NAN;
+        });
+    if (options.withDensity)
+        channels.add(named("density", "S"), kNone, [&](std::size_t i) {
+            const auto f = at(i);
+            return f ? f->lixelsPerPixel : NAN;
+        });
+}
+
+void expectEnding(const std::string& path, std::string_view ending, std::string_view option)
+{
+    const std::string found = std::filesystem::path(path).extension().string();
+    const bool isRight = std::equal(found.begin(), found.end(), ending.begin(), ending.end(),
+                                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+    if (!found.empty() && !isRight)
+        throw UsageError(fmt::format("{} \"{}\": expected a name that ends in {}", option, path, ending));
+}
+
+// What can be told before the scene is read.
+void checkOptions(const RenderOptions& options)
+{
+    if (options.output.empty() && options.exr.empty())
+        throw UsageError("render: give -o PICTURE.png or --exr FILE.exr");
+    if (options.exr.empty() && (options.withExact || options.withFootprint || options.withDensity))
+        throw UsageError("--exact, --footprint and --density are channels of --exr");
+    expectEnding(options.output, ".png", "-o");
+    expectEnding(options.exr, ".exr", "--exr");
+    if (options.exr == "-") throw UsageError("--exr -: expected the name of a file");
+    if (options.exr == options.output) throw UsageError("-o and --exr: expected two files");
+    if (options.picture.view == "all") throw UsageError("--view all: render takes one view; lixel compare takes all");
+    if (!options.output.empty()) expectWritable(options.output);
+    if (!options.exr.empty()) expectWritable(options.exr);
 }
 
 int runRender(const RenderOptions& options)
 {
     const std::vector<TechniqueChoice> technique = readTechniques(options.technique);
     if (technique.size() != 1) throw UsageError("--technique: one technique is expected; lixel compare takes several");
+    if ((options.withFootprint || options.withDensity) &&
+        !std::holds_alternative<MapTechnique>(technique.front().technique))
+        throw UsageError(fmt::format("--footprint and --density: \"{}\" has no map", options.technique));
     const LixelSize lixels = readSize(options.lixels, "--lixels", kMostLixelsASide);
-    if (options.output.empty() && options.exr.empty()) throw UsageError("render: give -o PICTURE.png or --exr FILE.exr");
-    if (options.exr.empty() && (options.withExact || options.withFootprint || options.withDensity))
-        throw UsageError("--exact, --footprint and --density are channels of --exr");
-    if (options.picture.view == "all") throw UsageError("--view all: render takes one view; lixel compare takes all");
+    checkOptions(options);
     const Shooting shooting = prepare(options.picture, false);
     const auto executor = makeExecutor(options.executor);
+    tellWarnings(*shooting.scene);
     Progress progress("render", 4);
     progress.step("scene");
     const Shot& shot = shooting.shots.front();
-    const Stage stage = makeStage(shooting.scene, shooting.evaluateOptions, chooseOrigin(shot.camera.eyeWorld, shooting.sceneWorld));
+    const Stage stage = makeStage(shooting.scene, shooting.evaluateOptions, originOf(shooting, shot));
     progress.step("view samples");
-    Picture picture{shot, stage, makeView(shot.camera, shooting.width, shooting.height, shooting.sceneWorld), {}, {}, {}};
+    Picture picture{shot, stage, viewOf(shooting, shot), {}, {}, {}};
     picture.samples = executor->viewSamples(stage, picture.view);
     progress.step("shadows");
-    picture.visibility = visibilityOf(picture, *executor, technique.front(), lixels);
+    addShadows(picture, *executor, technique.front(), lixels);
     progress.step("picture");
     if (!options.output.empty())
-        writePng(options.output, executor->shade(stage, picture.view, shot.lights, picture.samples, picture.visibility));
-    if (!options.exr.empty()) writeChannels(options, picture);
+        writeOrPrint(options.output,
+                     encodePng(executor->shade(stage, picture.view, shot.lights, picture.samples, picture.visibility)));
+    if (!options.exr.empty()) {
+        Channels channels(picture.samples);
+        addSurfaces(channels, picture);
+        for (std::size_t i = 0; i < shot.lights.size(); ++i) addLight(channels, picture, i, options);
+        channels.write(options.exr);
+    }
     return kDone;
 }
 
@@ -168,10 +208,12 @@ Command addRender(CLI::App& parent)
     auto o = std::make_shared<RenderOptions>();
     CLI::App* app = parent.add_subcommand("render", "a picture with shadows");
     addPictureOptions(*app, o->picture);
-    app->add_option("-o,--output", o->output, "the picture, PNG");
+    app->add_option("-o,--output", o->output, "the picture, PNG; - for standard output");
     app->add_option("--technique", o->technique, "how shadows are made (lixel techniques)")->capture_default_str();
     app->add_option("--lixels", o->lixels, "budget of each light, WIDTHxHEIGHT")->capture_default_str();
-    app->add_option("--executor", o->executor, "gl or trace")->check(CLI::IsMember({"gl", "trace"}))->capture_default_str();
+    app->add_option("--executor", o->executor, "gl or trace")
+        ->check(CLI::IsMember({"gl", "trace"}))
+        ->capture_default_str();
     app->add_option("--exr", o->exr, "positions, normals, depth and visibility as float32 OpenEXR");
     app->add_flag("--exact", o->withExact, "also exact visibility in the EXR");
     app->add_flag("--footprint", o->withFootprint, "also pixels per lixel (largest singular value) in the EXR");

@@ -20,10 +20,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-RunResults beginResults(const std::string& commandLine);
-void finishResults(RunResults& results, double totalSeconds, const std::string& host); // sorts rows, fills `timing`
-
-// A file, or standard output for "-".
-void writeTextOrPrint(const std::string& path, const std::string& text);
+// Sorts the rows and fills in what made them. `commandLine` repeats the run.
+void finishResults(RunResults& results, const std::string& commandLine, double totalSeconds, const std::string& host);
 
 } // namespace lixel::app

@@ -29,7 +29,7 @@ LixelSize readSize(std::string_view text, std::string_view option, int most)
     const auto width = x == std::string_view::npos ? std::nullopt : readNumber<int>(text.substr(0, x));
     const auto height = x == std::string_view::npos ? std::nullopt : readNumber<int>(text.substr(x + 1));
     if (!width || !height || *width < 1 || *height < 1 || *width > most || *height > most)
-        throw UsageError(fmt::format("{} {}: expected WIDTHxHEIGHT, each from 1 to {}", option, text, most));
+        throw UsageError(fmt::format("{} \"{}\": expected WIDTHxHEIGHT, each from 1 to {}", option, text, most));
     return {*width, *height};
 }
 
@@ -42,7 +42,7 @@ Vec3d readVec3(std::string_view text, std::string_view option)
         const auto value = readNumber<double>(rest.substr(0, comma));
         const bool isLast = comma == std::string_view::npos;
         if (!value || !std::isfinite(*value) || isLast != (i == 2))
-            throw UsageError(fmt::format("{} {}: expected three numbers, X,Y,Z", option, text));
+            throw UsageError(fmt::format("{} \"{}\": expected three finite numbers, X,Y,Z", option, text));
         values[i] = *value;
         rest = isLast ? std::string_view{} : rest.substr(comma + 1);
     }
@@ -53,14 +53,38 @@ std::string toString(LixelSize size) { return fmt::format("{}x{}", size.width, s
 
 std::string slug(std::string_view text)
 {
+    constexpr std::size_t kMost = 60;
     std::string out;
-    for (const char c : text) {
+    for (const char c : text.substr(0, kMost)) {
         const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
         if (isPlain) out += c;
         else if (!out.empty() && out.back() != '-') out += '-';
     }
     while (!out.empty() && out.back() == '-') out.pop_back();
     return out.empty() ? "unnamed" : out;
+}
+
+std::string oneLine(std::string_view text)
+{
+    std::string out(text);
+    for (char& c : out)
+        if (const auto byte = static_cast<unsigned char>(c); byte < 0x20 || byte == 0x7f) c = ' ';
+    return out;
+}
+
+std::string distinctName(std::string_view name, std::set<std::string>& taken)
+{
+    constexpr std::size_t kMost = 64;
+    std::string stem = oneLine(name);
+    if (stem.size() > kMost) {
+        std::size_t end = kMost;
+        while (end > 0 && (static_cast<unsigned char>(stem[end]) & 0xc0) == 0x80) --end; // within a character of UTF-8
+        stem.resize(end);
+    }
+    if (stem.empty()) stem = "unnamed";
+    std::string out = stem;
+    for (int i = 2; !taken.insert(out).second; ++i) out = fmt::format("{}-{}", stem, i);
+    return out;
 }
 
 std::string quoted(int argc, const char* const* argv)

@@ -4,6 +4,7 @@
 #include "lixel/base/vec.h"
 #include "lixel/plan/shadow_plan.h"
 
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -18,8 +19,14 @@ Vec3d readVec3(std::string_view text, std::string_view option);
 
 std::string toString(LixelSize size);
 
-// Letters, digits and dashes only, for file names.
+// Letters, digits and dashes only, at most 60, for file names.
 std::string slug(std::string_view text);
+
+// Without control characters, for one line on a terminal.
+std::string oneLine(std::string_view text);
+
+// A name that may come from a file, for tables and channels: in one line, at most 64 bytes, and none of `taken`, which it joins.
+std::string distinctName(std::string_view name, std::set<std::string>& taken);
 
 // The command line again, quoted for a POSIX shell.
 std::string quoted(int argc, const char* const* argv);

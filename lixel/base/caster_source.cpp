@@ -21,7 +21,8 @@ Vec3f transformedNormal(const Mat4d& cofactor, Vec3f normal)
 // Of the upper 3x3: what normals are multiplied with, also where the matrix mirrors or is singular.
 Mat4d cofactor(const Mat4d& a)
 {
-    const Vec3d c0{a.m[0][0], a.m[1][0], a.m[2][0]}, c1{a.m[0][1], a.m[1][1], a.m[2][1]}, c2{a.m[0][2], a.m[1][2], a.m[2][2]};
+    const Vec3d c0{a.m[0][0], a.m[1][0], a.m[2][0]}, c1{a.m[0][1], a.m[1][1], a.m[2][1]},
+        c2{a.m[0][2], a.m[1][2], a.m[2][2]};
     const Vec3d n0 = cross(c1, c2), n1 = cross(c2, c0), n2 = cross(c0, c1);
     const double sign = dot(c0, n0) < 0 ? -1 : 1;
     return Mat4d::fromRows({sign * n0.x, sign * n1.x, sign * n2.x, 0}, {sign * n0.y, sign * n1.y, sign * n2.y, 0},

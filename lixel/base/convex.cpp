@@ -32,7 +32,8 @@ ConvexBody bodyOf(const Box& box)
     if (box.isEmpty()) return body;
     const auto c = box.corners();
     // Corner i has x, y, z at their maxima where bits 0, 1, 2 of i are set.
-    constexpr std::size_t kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    constexpr std::size_t kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                          {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     for (const auto& corners : kFaces) {
         ConvexBody::Face face;
         for (const std::size_t corner : corners) face.push_back(c[corner]);

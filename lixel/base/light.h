@@ -15,11 +15,11 @@ struct Light
 {
     std::string name = "light";
     LightKind kind = LightKind::Directional;
-    Vec3d positionWorld;                                      // spot, point
-    Vec3d directionWorld{0, -1, 0};                           // directional, spot: unit, the way light travels
-    double coneAngle = 1.5707963267948966;                    // spot: full angle of the cone, radians, in (0, pi)
-    double range = std::numeric_limits<double>::infinity();   // spot, point: world units
-    Vec3d colour{1, 1, 1};                                    // of the picture only; brightest lit surface about 1
+    Vec3d positionWorld;                                    // spot, point
+    Vec3d directionWorld{0, -1, 0};                         // directional, spot: unit, the way light travels
+    double coneAngle = 1.5707963267948966;                  // spot: full angle of the cone, radians, in (0, pi)
+    double range = std::numeric_limits<double>::infinity(); // spot, point: world units
+    Vec3d colour{1, 1, 1};                                  // of the picture only; brightest lit surface about 1
 };
 
 // Unit vector from a point towards the light.

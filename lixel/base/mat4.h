@@ -57,8 +57,14 @@ constexpr Mat4d transpose(const Mat4d& a)
     return t;
 }
 
-constexpr Mat4d translation(Vec3d t) { return Mat4d::fromRows({1, 0, 0, t.x}, {0, 1, 0, t.y}, {0, 0, 1, t.z}, {0, 0, 0, 1}); }
-constexpr Mat4d scaling(Vec3d s) { return Mat4d::fromRows({s.x, 0, 0, 0}, {0, s.y, 0, 0}, {0, 0, s.z, 0}, {0, 0, 0, 1}); }
+constexpr Mat4d translation(Vec3d t)
+{
+    return Mat4d::fromRows({1, 0, 0, t.x}, {0, 1, 0, t.y}, {0, 0, 1, t.z}, {0, 0, 0, 1});
+}
+constexpr Mat4d scaling(Vec3d s)
+{
+    return Mat4d::fromRows({s.x, 0, 0, 0}, {0, s.y, 0, 0}, {0, 0, s.z, 0}, {0, 0, 0, 1});
+}
 
 // Nothing where the matrix is singular or not finite.
 std::optional<Mat4d> inverse(const Mat4d& a);

@@ -32,8 +32,8 @@ struct Material
     Vec4f baseColour{0.8f, 0.8f, 0.8f, 1}; // linear, times vertex colour, times texture
     int texture = -1;                      // into the materials' textures, -1: none
     AlphaMode alphaMode = AlphaMode::Opaque;
-    float alphaCutoff = 0.5f;              // Mask: kept where alpha >= cutoff. BLEND of files becomes Mask with 0.5
-    bool doubleSided = false;              // of the shading only: for eye, light and rays all triangles have two sides
+    float alphaCutoff = 0.5f; // Mask: kept where alpha >= cutoff. BLEND of files becomes Mask with 0.5
+    bool doubleSided = false; // of the shading only: for eye, light and rays all triangles have two sides
     Vec3f emission{0, 0, 0};
 };
 

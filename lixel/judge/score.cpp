@@ -101,7 +101,7 @@ Score score(std::span<const Zone> zones, const Visibility& visibility, std::span
 }
 
 ExecutorAgreement agreement(std::span<const Zone> zones, const Visibility& one, const Visibility& other,
-                    std::span<const float> exactVisibility)
+                            std::span<const float> exactVisibility)
 {
     LX_ASSERT(zones.size() == one.value.size() && zones.size() == other.value.size());
     ExecutorAgreement out;

@@ -13,8 +13,7 @@
 namespace lixel {
 
 // Where in the picture a sample lies, seen from one light.
-enum class Zone : std::uint8_t
-{
+enum class Zone : std::uint8_t {
     FacingAway,     // dark without a test: counts neither right nor wrong
     EdgeBand,       // within 2 pixels of a boundary between lit and shadowed light-facing samples
     TerminatorBand, // else within 2 pixels of a sample that faces away
@@ -44,12 +43,14 @@ struct Score
     std::int64_t unserved = 0;      // light-facing samples that no region holds
     ZoneScore edgeBand, terminatorBand, interior;
 
-    double misclassifiedPercent() const { return lightFacing > 0 ? 100.0 * double(misclassified) / double(lightFacing) : 0; }
+    double misclassifiedPercent() const
+    {
+        return lightFacing > 0 ? 100.0 * double(misclassified) / double(lightFacing) : 0;
+    }
 };
 
 // What one sample comes to.
-enum class Verdict : std::uint8_t
-{
+enum class Verdict : std::uint8_t {
     NotCounted, // faces away
     Right,
     FalseShadow,
@@ -72,6 +73,6 @@ struct ExecutorAgreement
     }
 };
 ExecutorAgreement agreement(std::span<const Zone> zones, const Visibility& one, const Visibility& other,
-                    std::span<const float> exactVisibility);
+                            std::span<const float> exactVisibility);
 
 } // namespace lixel

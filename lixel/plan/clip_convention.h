@@ -7,11 +7,10 @@
 // inside where w > 0. Hosts have others; matrices enter and leave through here, and nothing else knows of them.
 namespace lixel {
 
-enum class ClipDepth
-{
-    MinusOneToOne,     // OpenGL's default
-    ZeroToOne,         // Direct3D, Vulkan, Metal, WebGPU
-    OneToZero,         // reversed: 1 at the near side
+enum class ClipDepth {
+    MinusOneToOne, // OpenGL's default
+    ZeroToOne,     // Direct3D, Vulkan, Metal, WebGPU
+    OneToZero,     // reversed: 1 at the near side
 };
 
 struct ClipConvention

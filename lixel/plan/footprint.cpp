@@ -5,7 +5,8 @@
 
 namespace lixel {
 
-std::optional<Footprint> footprint(const View& view, Vec3d originWorld, const LightImage& image, Vec3d pointLocal, Vec3d normal)
+std::optional<Footprint> footprint(const View& view, Vec3d originWorld, const LightImage& image, Vec3d pointLocal,
+                                   Vec3d normal)
 {
     if (!image.lixelAt(pointLocal)) return std::nullopt;
     const Mat4d viewClipFromLocal = clipFromLocal(view, originWorld);
@@ -35,7 +36,8 @@ std::optional<Footprint> footprint(const View& view, Vec3d originWorld, const Li
     // Singular values of the 2x2 matrix: half the sum and difference of two hypotenuses. The smallest lixels per pixel is
     // one over the most pixels per lixel.
     const auto& m = f.lixelFromPixel;
-    const double s = std::hypot(m[0][0] + m[1][1], m[1][0] - m[0][1]), d = std::hypot(m[0][0] - m[1][1], m[1][0] + m[0][1]);
+    const double s = std::hypot(m[0][0] + m[1][1], m[1][0] - m[0][1]),
+                 d = std::hypot(m[0][0] - m[1][1], m[1][0] + m[0][1]);
     f.lixelsPerPixel = std::abs(m[0][0] * m[1][1] - m[0][1] * m[1][0]);
     const double largest = 0.5 * (s + d);
     const double smallest = largest > 0 ? f.lixelsPerPixel / largest : 0;

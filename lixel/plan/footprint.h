@@ -17,12 +17,13 @@ struct Footprint
 {
     double lixelFromPixel[2][2] = {{1, 0}, {0, 1}}; // d lixel / d pixel
     Vec2d depthPerLixel;                            // of the receiver's plane, NDC depth a lixel
-    double pixelsPerLixel = 1;                      // Lloyd's m: the longest axis of a lixel, in pixels (infinite: edge-on)
-    double lixelsPerPixel = 1;                      // by area
+    double pixelsPerLixel = 1; // Lloyd's m: the longest axis of a lixel, in pixels (infinite: edge-on)
+    double lixelsPerPixel = 1; // by area
 };
 
 // Of the plane through the point with this normal. Nothing where the point is behind the eye or the light, or where its plane
 // is edge-on to the view.
-std::optional<Footprint> footprint(const View& view, Vec3d originWorld, const LightImage& image, Vec3d pointLocal, Vec3d normal);
+std::optional<Footprint> footprint(const View& view, Vec3d originWorld, const LightImage& image, Vec3d pointLocal,
+                                   Vec3d normal);
 
 } // namespace lixel

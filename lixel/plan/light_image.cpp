@@ -14,7 +14,8 @@ std::optional<Vec3d> LightImage::lixelAt(Vec3d pointLocal) const
     if (!(clip.w > 0)) return std::nullopt;
     const Vec3d lixel{rectangle_.x0 + (0.5 + 0.5 * clip.x / clip.w) * rectangle_.width(),
                       rectangle_.y0 + (0.5 + 0.5 * clip.y / clip.w) * rectangle_.height(), clip.z / clip.w};
-    const bool isInside = lixel.x >= rectangle_.x0 && lixel.x < rectangle_.x1 && lixel.y >= rectangle_.y0 && lixel.y < rectangle_.y1;
+    const bool isInside =
+        lixel.x >= rectangle_.x0 && lixel.x < rectangle_.x1 && lixel.y >= rectangle_.y0 && lixel.y < rectangle_.y1;
     return isInside ? std::optional(lixel) : std::nullopt;
 }
 

@@ -75,7 +75,8 @@ FramePlan planShadows(const PlanInput& input, FitScratch& scratch, FramePlan rec
         ShadowPlan& light = plan.lights[i];
         light.regions.clear();
         light.refused.reset();
-        const FitInput fitInput{input.view, input.lights[i], input.originWorld, input.casterBoxesWorld, sceneLocal, scratch};
+        const FitInput fitInput{input.view, input.lights[i], input.originWorld, input.casterBoxesWorld,
+                                sceneLocal, scratch};
         const FitResult fit = std::visit(FitOf{fitInput}, input.technique.fit);
         shared::ShadowLight row;
         row.regions = {float(plan.regionTable.size()), 0, 0, 0};

@@ -28,34 +28,34 @@ struct PlanInput
 {
     View view;
     std::span<const Light> lights;
-    std::span<const Box> casterBoxesWorld;   // conservative bounds of all casters and receivers
-    Vec3d originWorld;                       // what floats are counted from; near the eye
+    std::span<const Box> casterBoxesWorld; // conservative bounds of all casters and receivers
+    Vec3d originWorld;                     // what floats are counted from; near the eye
     MapTechnique technique;
-    LixelSize lixels;                        // the budget of each light
+    LixelSize lixels; // the budget of each light
 };
 
 // One map: a region's projection and its place.
 struct PlannedRegion
 {
-    Mat4d lightClipFromLocal;                // lixel's convention; its NDC square is the whole rectangle
+    Mat4d lightClipFromLocal; // lixel's convention; its NDC square is the whole rectangle
     LixelRectangle rectangle;
 };
 
 // What was decided for one light.
 struct ShadowPlan
 {
-    std::vector<PlannedRegion> regions;      // in the order they serve; empty where refused
+    std::vector<PlannedRegion> regions; // in the order they serve; empty where refused
     std::optional<FitFailure> refused;
 };
 
 // Layout (known before the frame is drawn) and tables (what shaders read).
 struct FramePlan
 {
-    LixelSize atlas;                         // of each layer
+    LixelSize atlas; // of each layer
     int layers = 0;
     LookupLayout lookup;
     Vec3d originWorld;
-    std::vector<ShadowPlan> lights;          // one a light, in the input's order
+    std::vector<ShadowPlan> lights; // one a light, in the input's order
 
     std::vector<shared::ShadowRegion> regionTable;
     std::vector<shared::vec4> halfSpaceTable; // xyz, w: inside where dot(xyz, pointLocal) + w >= 0

@@ -21,10 +21,11 @@ constexpr std::array<TechniqueWord, 7> kWords{{
      "Brabec, Annen, Seidel 2002; Chong, Gortler 2007 (Focused)", "directional, spot, point",
      "extent-not-in-hemisphere, nothing-in-view"},
     {"store", "depths(n)", "n depths a lixel; n = 1", "Williams 1978", "all", ""},
-    {"kernel", "pcf(k)", "k = 1, 4, 9, 16, 25 taps one lixel apart, results averaged", "Reeves, Salesin, Cook 1987", "all",
-     ""},
+    {"kernel", "pcf(k)", "k = 1, 4, 9, 16, 25 taps one lixel apart, results averaged", "Reeves, Salesin, Cook 1987",
+     "all", ""},
     {"no map", "exact", "a ray for every view sample, decided in double precision", "", "all", ""},
-    {"no map", "exact-area(n)", "share of the pixel's area that is lit; n = 1, 4, ..., 1024 rays a pixel", "", "all", ""},
+    {"no map", "exact-area(n)", "share of the pixel's area that is lit; n = 1, 4, ..., 1024 rays a pixel", "", "all",
+     ""},
 }};
 
 // One word with its arguments, as typed.
@@ -163,11 +164,26 @@ std::string take(const Word& word, Parts& parts)
     return fmt::format("\"{}\" is not known; known are {}", word.name, knownWords());
 }
 
+std::string name(const WholePartition&) { return "whole"; }
+std::string name(const UniformFit&) { return "uniform"; }
+std::string name(const FocusedFit&) { return "focused"; }
+std::string name(const DepthStore& store) { return fmt::format("depths({})", store.depths); }
+std::string name(const PcfKernel& kernel) { return fmt::format("pcf({})", kernel.taps); }
+std::string name(const ExactTechnique&) { return "exact"; }
+std::string name(const ExactAreaTechnique& area) { return fmt::format("exact-area({})", area.samples); }
+std::string name(const MapTechnique& map)
+{
+    const auto nameOf = [](const auto& choice) { return std::visit([](const auto& c) { return name(c); }, choice); };
+    return nameOf(map.partition) + "+" + nameOf(map.fit) + "+" + nameOf(map.store) + "+" + nameOf(map.kernel);
+}
+
 } // namespace
 
 Expected<Technique, std::string> parseTechnique(std::string_view text)
 {
-    const auto fail = [&](const std::string& what) { return Unexpected{fmt::format("technique \"{}\": {}", text, what)}; };
+    const auto fail = [&](const std::string& what) {
+        return Unexpected{fmt::format("technique \"{}\": {}", text, what)};
+    };
     const auto pieces = split(text, '+');
     if (!pieces) return fail("parentheses do not match");
     Parts parts;
@@ -186,23 +202,6 @@ Expected<Technique, std::string> parseTechnique(std::string_view text)
     if (parts.kernel) technique.kernel = *parts.kernel;
     return Technique(technique);
 }
-
-namespace {
-
-std::string name(const WholePartition&) { return "whole"; }
-std::string name(const UniformFit&) { return "uniform"; }
-std::string name(const FocusedFit&) { return "focused"; }
-std::string name(const DepthStore& store) { return fmt::format("depths({})", store.depths); }
-std::string name(const PcfKernel& kernel) { return fmt::format("pcf({})", kernel.taps); }
-std::string name(const ExactTechnique&) { return "exact"; }
-std::string name(const ExactAreaTechnique& area) { return fmt::format("exact-area({})", area.samples); }
-std::string name(const MapTechnique& map)
-{
-    const auto nameOf = [](const auto& choice) { return std::visit([](const auto& c) { return name(c); }, choice); };
-    return nameOf(map.partition) + "+" + nameOf(map.fit) + "+" + nameOf(map.store) + "+" + nameOf(map.kernel);
-}
-
-} // namespace
 
 std::string toString(const Technique& technique)
 {

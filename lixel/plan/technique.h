@@ -83,8 +83,8 @@ Expected<std::vector<std::string>, std::string> splitTechniques(std::string_view
 // One row of what `lixel techniques` prints.
 struct TechniqueWord
 {
-    std::string_view kind;     // partition, fit, store, kernel, no map
-    std::string_view form;     // pcf(k)
+    std::string_view kind; // partition, fit, store, kernel, no map
+    std::string_view form; // pcf(k)
     std::string_view meaning;
     std::string_view paper;
     std::string_view lights;   // those it serves

@@ -13,8 +13,8 @@ namespace lixel {
 // One number of a paper's experiment, measured again.
 struct ReproducedNumber
 {
-    std::string key;              // within the experiment, e.g. "normal over focused, all lights"
-    std::string unit;             // "ratio", "percent of the picture", ...
+    std::string key;  // within the experiment, e.g. "normal over focused, all lights"
+    std::string unit; // "ratio", "percent of the picture", ...
     double ours = 0;
     std::optional<double> papers; // no value where the paper gives none
     std::string source;           // where in the paper
@@ -27,7 +27,7 @@ struct Reproduction
     bool isQuick = false;
     std::vector<std::pair<std::string, std::string>> parameters;
     std::vector<ReproducedNumber> numbers;
-    RunResults run;               // what the numbers were made from
+    RunResults run; // what the numbers were made from
 };
 
 // JSON as toJson(RunResults) writes it, with `reproduction` {name, paper, question, quick, parameters, numbers} beside `results`.

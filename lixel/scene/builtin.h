@@ -14,7 +14,7 @@ namespace lixel {
 
 struct BuiltinParameter
 {
-    std::string_view name;         // as typed: bunnies(count=5)
+    std::string_view name; // as typed: bunnies(count=5)
     double standard, least, most;
     std::string_view meaning;
 };

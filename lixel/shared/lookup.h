@@ -32,6 +32,14 @@ LX_FN vec3 lxAnyPerpendicular(vec3 n)
     return normalize(cross(n, other));
 }
 
+// Whether the point is on the side of a half-space that belongs to a region; a region is where all of its own hold.
+LX_FN bool lxHolds(vec4 halfSpace, vec3 positionLocal)
+{
+    return halfSpace.x * positionLocal.x + halfSpace.y * positionLocal.y + halfSpace.z * positionLocal.z +
+               halfSpace.w >=
+           0.0f;
+}
+
 LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
 {
     LxReceiver r;
@@ -39,7 +47,8 @@ LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
     vec4 clip = m * vec4(positionLocal, 1.0f);
     float perW = 1.0f / clip.w;
     vec3 ndc = vec3(clip.x * perW, clip.y * perW, clip.z * perW);
-    r.lixel = vec2(ndc.x * region.lixelFromNdc.x + region.lixelFromNdc.z, ndc.y * region.lixelFromNdc.y + region.lixelFromNdc.w);
+    r.lixel = vec2(ndc.x * region.lixelFromNdc.x + region.lixelFromNdc.z,
+                   ndc.y * region.lixelFromNdc.y + region.lixelFromNdc.w);
     r.depth = ndc.z;
     bool inside = clip.w > 0.0f && r.lixel.x >= region.rectangle.x && r.lixel.y >= region.rectangle.y &&
                   r.lixel.x < region.rectangle.z && r.lixel.y < region.rectangle.w;
@@ -50,8 +59,12 @@ LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
     vec3 t2 = cross(normal, t1);
     vec4 c1 = m * vec4(t1, 0.0f);
     vec4 c2 = m * vec4(t2, 0.0f);
-    vec3 a = vec3((c1.x - ndc.x * c1.w) * region.lixelFromNdc.x, (c1.y - ndc.y * c1.w) * region.lixelFromNdc.y, c1.z - ndc.z * c1.w) * perW;
-    vec3 b = vec3((c2.x - ndc.x * c2.w) * region.lixelFromNdc.x, (c2.y - ndc.y * c2.w) * region.lixelFromNdc.y, c2.z - ndc.z * c2.w) * perW;
+    vec3 a = vec3((c1.x - ndc.x * c1.w) * region.lixelFromNdc.x, (c1.y - ndc.y * c1.w) * region.lixelFromNdc.y,
+                  c1.z - ndc.z * c1.w) *
+             perW;
+    vec3 b = vec3((c2.x - ndc.x * c2.w) * region.lixelFromNdc.x, (c2.y - ndc.y * c2.w) * region.lixelFromNdc.y,
+                  c2.z - ndc.z * c2.w) *
+             perW;
     vec3 across = cross(a, b);
     // Edge-on to the light the plane has any depth. Depths span 1, so half a lixel of such a slope clears everything; taps must
     // not take that back by slopes that were cut, so the receiver is cleared outright.
@@ -80,7 +93,8 @@ LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
 // which is what an empty lixel holds.
 LX_FN float lxShadowingDepth(LxReceiver r, vec2 centre)
 {
-    float planeDepth = r.depth + r.depthPerLixel.x * (centre.x - r.lixel.x) + r.depthPerLixel.y * (centre.y - r.lixel.y);
+    float planeDepth =
+        r.depth + r.depthPerLixel.x * (centre.x - r.lixel.x) + r.depthPerLixel.y * (centre.y - r.lixel.y);
     float margin = (abs(r.depthPerLixel.x) + abs(r.depthPerLixel.y)) * (LX_HALF_LIXEL + LX_SNAP);
     return max(planeDepth + margin + r.slack, 0.0f);
 }

@@ -46,10 +46,7 @@ LX_FN vec3 lxAmbientLight(vec3 normal)
 }
 
 // Behind all surfaces, linear; `height` is 0 at the picture's bottom, 1 at its top.
-LX_FN vec3 lxBackground(float height)
-{
-    return mix(vec3(0.56f, 0.62f, 0.68f), vec3(0.24f, 0.38f, 0.60f), height);
-}
+LX_FN vec3 lxBackground(float height) { return mix(vec3(0.56f, 0.62f, 0.68f), vec3(0.24f, 0.38f, 0.60f), height); }
 
 // K. Narkowicz, ACES Filmic Tone Mapping Curve, 2015: a fit of the ACES reference transforms.
 LX_FN float lxToneMapped(float linear)

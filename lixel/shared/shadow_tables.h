@@ -9,16 +9,17 @@ LX_SHARED_BEGIN
 // One region's way from Local space into its rectangle of the atlas.
 struct ShadowRegion
 {
-    mat4 lightClipFromLocal; // NDC x, y in [-1, +1]; depth reversed, 1 at the near side, 0 at the far; inside where w > 0
-    vec4 lixelFromNdc;       // lixel = xy * ndc + zw: continuous, counted in its layer of the atlas, centres at + 1/2
-    vec4 rectangle;          // first lixel x, y and end x, y (not included) that the region owns in its layer
-    vec4 place;              // x: layer; y, z: first and count of its half-spaces; w: reserved, 0
+    mat4
+        lightClipFromLocal; // NDC x, y in [-1, +1]; depth reversed, 1 at the near side, 0 at the far; inside where w > 0
+    vec4 lixelFromNdc;      // lixel = xy * ndc + zw: continuous, counted in its layer of the atlas, centres at + 1/2
+    vec4 rectangle;         // first lixel x, y and end x, y (not included) that the region owns in its layer
+    vec4 place;             // x: layer; y, z: first and count of its half-spaces; w: reserved, 0
 };
 
 // One light: which regions serve it, in their order.
 struct ShadowLight
 {
-    vec4 regions;            // x, y: first and count; z: 1 where the light has a map, 0 where its plan was refused; w: 0
+    vec4 regions; // x, y: first and count; z: 1 where the light has a map, 0 where its plan was refused; w: 0
 };
 
 LX_SHARED_END

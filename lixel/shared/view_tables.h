@@ -18,7 +18,7 @@ struct alignas(32) dvec4
 // One material (std430).
 struct SurfaceMaterial
 {
-    vec4 baseColour;   // linear
+    vec4 baseColour; // linear
     vec3 emission;
     float alphaCutoff; // 0 where opaque
 };
@@ -29,8 +29,8 @@ struct ViewRays
 {
     dvec4 rayOrigin[3];
     dvec4 rayDirection[3];
-    dvec4 clipW;       // the row of the matrix that gives w
-    dvec4 eyeLocal;    // a point (w = 1), or the direction towards the eye (w = 0)
+    dvec4 clipW;    // the row of the matrix that gives w
+    dvec4 eyeLocal; // a point (w = 1), or the direction towards the eye (w = 0)
 };
 
 // One view sample (std430). `pixel` is y * width + x; in a list with an entry a pixel, kNoPixel marks those without surface.
@@ -39,8 +39,8 @@ struct ViewPoint
 {
     vec3 positionLocal;
     uint pixel;
-    vec3 normal;       // geometric, unit, turned to the eye
-    uint triangle;     // of the casters as they were given, or 0xffffffff
+    vec3 normal;   // geometric, unit, turned to the eye
+    uint triangle; // of the casters as they were given, or 0xffffffff
 };
 
 LX_SHARED_END

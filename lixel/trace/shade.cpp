@@ -44,7 +44,8 @@ Image<Rgba8> shadeTraced(const TraceScene& scene, std::span<const Light> lights,
             shared::vec3 light = shared::lxAmbientLight(normal);
             for (std::size_t l = 0; l < table.size(); ++l) {
                 const float share = visibility[l].value.empty() ? 1.0f : visibility[l].value[i];
-                light = light + share * shared::lxDirectLight(table[l], toShared(samples.positionLocal[i]), toShared(samples.normal[i]), normal);
+                light = light + share * shared::lxDirectLight(table[l], toShared(samples.positionLocal[i]),
+                                                              toShared(samples.normal[i]), normal);
             }
             colours[i] = displayed(toShared(surface.baseColour[i]) * light + toShared(surface.emission[i]));
         }

@@ -17,7 +17,7 @@ bool isWithinHalfSpaces(const FramePlan& plan, const shared::ShadowRegion& regio
 {
     const std::span<const shared::vec4> all = plan.halfSpaceTable;
     for (const shared::vec4& h : all.subspan(std::size_t(region.place.y), std::size_t(region.place.z)))
-        if (!(h.x * positionLocal.x + h.y * positionLocal.y + h.z * positionLocal.z + h.w >= 0)) return false;
+        if (!shared::lxHolds(h, positionLocal)) return false;
     return true;
 }
 

@@ -26,7 +26,8 @@ Box anyBox(Rng& rng)
 
 Plane anyPlaneNear(const Box& box, Rng& rng)
 {
-    const Vec3d through{rng.uniform(box.min.x, box.max.x), rng.uniform(box.min.y, box.max.y), rng.uniform(box.min.z, box.max.z)};
+    const Vec3d through{rng.uniform(box.min.x, box.max.x), rng.uniform(box.min.y, box.max.y),
+                        rng.uniform(box.min.z, box.max.z)};
     return planeThrough(through, rng.onSphere());
 }
 

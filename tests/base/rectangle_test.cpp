@@ -22,7 +22,8 @@ std::vector<Vec2d> anyPoints(Rng& rng)
     for (int i = rng.integer(1, 60); i > 0; --i) {
         const Vec2d p = onGrid ? Vec2d{double(rng.integer(-3, 3)), double(rng.integer(-3, 3))}
                                : Vec2d{rng.uniform(-1, 1), flat * rng.uniform(-1, 1)};
-        points.push_back({std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y});
+        points.push_back(
+            {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y});
     }
     return points;
 }

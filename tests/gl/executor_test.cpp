@@ -4,6 +4,7 @@
 
 #include "lixel/gl/device/objects.h"
 #include "lixel/gl/executor.h"
+
 #include <epoxy/gl.h>
 
 #include <array>

@@ -52,7 +52,8 @@ TEST(Zones, WhatFacesAwayHasATerminatorBandAndNoBoundary)
 
 TEST(Score, CountsEachKindOfErrorInItsZoneAndRoundsOneHalfToLit)
 {
-    const std::vector<Zone> zones{Zone::Interior, Zone::Interior, Zone::EdgeBand, Zone::TerminatorBand, Zone::FacingAway, Zone::EdgeBand};
+    const std::vector<Zone> zones{Zone::Interior,       Zone::Interior,   Zone::EdgeBand,
+                                  Zone::TerminatorBand, Zone::FacingAway, Zone::EdgeBand};
     const std::vector<float> exact{1, 0, 1, 1, 0, 0};
     const Visibility visibility{{0.5f, 0.49f, 0, 0.25f, 1, 1}, {0, 0, 0, 0, 1, 1}};
     const Score s = score(zones, visibility, exact);

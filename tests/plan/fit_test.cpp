@@ -16,8 +16,8 @@ namespace {
 
 using test::anySetup;
 using test::forEachCase;
-using test::Rng;
 using test::RandomSetup;
+using test::Rng;
 
 FitInput inputOf(const RandomSetup& setup)
 {
@@ -34,21 +34,24 @@ bool isInView(const RandomSetup& setup, Vec3d pointLocal)
 // Lit by the cone and range whatever its normal.
 bool isReached(const RandomSetup& setup, Vec3d pointLocal)
 {
-    return isLightFacing(setup.light, setup.originWorld, pointLocal, towardsLight(setup.light, setup.originWorld, pointLocal));
+    return isLightFacing(setup.light, setup.originWorld, pointLocal,
+                         towardsLight(setup.light, setup.originWorld, pointLocal));
 }
 
 // Of the map's square, on the plane one unit before the light (points) or across it (directions): one over the determinant of
 // the matrix that takes light-plane coordinates to NDC.
 double areaOnLightPlane(const Fit& fit)
 {
-    const Vec3d x = xyz(fit.lightClipFromLocal.row(0)), y = xyz(fit.lightClipFromLocal.row(1)), w = xyz(fit.lightClipFromLocal.row(3));
+    const Vec3d x = xyz(fit.lightClipFromLocal.row(0)), y = xyz(fit.lightClipFromLocal.row(1)),
+                w = xyz(fit.lightClipFromLocal.row(3));
     return 4 / std::abs(length(w) > 0 ? dot(w, cross(x, y)) : length(cross(x, y)));
 }
 
 Vec3d anyPointInScene(const RandomSetup& setup, Rng& rng)
 {
     const Box& box = setup.boxesWorld[std::size_t(rng.integer(0, int(setup.boxesWorld.size()) - 1))];
-    return Vec3d{rng.uniform(box.min.x, box.max.x), rng.uniform(box.min.y, box.max.y), rng.uniform(box.min.z, box.max.z)} -
+    return Vec3d{rng.uniform(box.min.x, box.max.x), rng.uniform(box.min.y, box.max.y),
+                 rng.uniform(box.min.z, box.max.z)} -
            setup.originWorld;
 }
 
@@ -122,7 +125,8 @@ TEST(Focused, IsTheSameMapWhereverTheSceneStands)
     forEachCase(test::kCases, [](Rng& rng) {
         RandomSetup here = anySetup(rng);
         RandomSetup there = here;
-        const Vec3d by{double(rng.integer(-4096, 4096)), double(rng.integer(-4096, 4096)), double(rng.integer(-4096, 4096))};
+        const Vec3d by{double(rng.integer(-4096, 4096)), double(rng.integer(-4096, 4096)),
+                       double(rng.integer(-4096, 4096))};
         for (Box& box : there.boxesWorld) box = translated(box, by);
         there.view.anchorWorld = there.view.anchorWorld + by;
         there.light.positionWorld = there.light.positionWorld + by;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "lixel/plan/clip_convention.h"
 #include "lixel/plan/footprint.h"
 #include "lixel/plan/shadow_plan.h"
-#include "lixel/plan/clip_convention.h"
 #include "plan/random_setups.h"
 
 #include <gtest/gtest.h>
@@ -16,13 +16,15 @@ using test::Rng;
 
 FramePlan planOf(const RandomSetup& setup, int width, int height, MapTechnique technique = {})
 {
-    return planShadows({setup.view, std::span(&setup.light, 1), setup.boxesWorld, setup.originWorld, technique, {width, height}});
+    return planShadows(
+        {setup.view, std::span(&setup.light, 1), setup.boxesWorld, setup.originWorld, technique, {width, height}});
 }
 
 Vec3d anyPointInScene(const RandomSetup& setup, Rng& rng)
 {
     const Box& box = setup.boxesWorld[std::size_t(rng.integer(0, int(setup.boxesWorld.size()) - 1))];
-    return Vec3d{rng.uniform(box.min.x, box.max.x), rng.uniform(box.min.y, box.max.y), rng.uniform(box.min.z, box.max.z)} -
+    return Vec3d{rng.uniform(box.min.x, box.max.x), rng.uniform(box.min.y, box.max.y),
+                 rng.uniform(box.min.z, box.max.z)} -
            setup.originWorld;
 }
 
@@ -62,8 +64,10 @@ TEST(Footprint, IsTheFiniteDifferenceOfLixelsOverPixels)
         // Walk a little along the plane and compare the linear prediction with what both images really do.
         const auto lixelAt = [&](Vec3d q) { return image.lixelAt(q); };
         const auto pixelAt = [&](Vec3d q) { return pixelFromLocal(setup.view, setup.originWorld, q); };
-        const double step = 1e-5 * setup.radius * std::min(1.0, length(towardsEye(setup.view, setup.originWorld, p)) / setup.radius);
-        const Vec3d t = anyPerpendicular(normal), along = normalized(rng.uniform(-1, 1) * t + rng.uniform(-1, 1) * cross(normal, t));
+        const double step =
+            1e-5 * setup.radius * std::min(1.0, length(towardsEye(setup.view, setup.originWorld, p)) / setup.radius);
+        const Vec3d t = anyPerpendicular(normal),
+                    along = normalized(rng.uniform(-1, 1) * t + rng.uniform(-1, 1) * cross(normal, t));
         const auto l0 = lixelAt(p - step * along), l1 = lixelAt(p + step * along);
         if (!l0 || !l1) return;
         const Vec3d pixels = pixelAt(p + step * along) - pixelAt(p - step * along);
@@ -73,8 +77,10 @@ TEST(Footprint, IsTheFiniteDifferenceOfLixelsOverPixels)
         // Edge-on planes amplify rounding by the size of the Jacobian.
         const double jacobian = std::abs(f->lixelFromPixel[0][0]) + std::abs(f->lixelFromPixel[0][1]) +
                                 std::abs(f->lixelFromPixel[1][0]) + std::abs(f->lixelFromPixel[1][1]);
-        EXPECT_LT(length(predicted - lixels), 1e-4 * length(lixels) + 1e-4 * jacobian * std::hypot(pixels.x, pixels.y) + 1e-9);
-        EXPECT_NEAR(l1->z - l0->z, dot(f->depthPerLixel, lixels), 1e-4 * length(f->depthPerLixel) * length(lixels) + 1e-9);
+        EXPECT_LT(length(predicted - lixels),
+                  1e-4 * length(lixels) + 1e-4 * jacobian * std::hypot(pixels.x, pixels.y) + 1e-9);
+        EXPECT_NEAR(l1->z - l0->z, dot(f->depthPerLixel, lixels),
+                    1e-4 * length(f->depthPerLixel) * length(lixels) + 1e-9);
     });
 }
 
@@ -109,7 +115,9 @@ TEST(Place, KeepsTheLookupsReachInsideTheRectangleAndTurnsTheLongerSideAlongIt)
             const Vec3d p = anyPointInScene(setup, rng);
             const Vec4d c = view * point(p);
             const bool seen = c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && std::abs(c.z) <= c.w;
-            if (!seen || !isLightFacing(setup.light, setup.originWorld, p, towardsLight(setup.light, setup.originWorld, p))) continue;
+            if (!seen ||
+                !isLightFacing(setup.light, setup.originWorld, p, towardsLight(setup.light, setup.originWorld, p)))
+                continue;
             const auto lixel = image.lixelAt(p);
             ASSERT_TRUE(lixel);
             const double reach = plan.lookup.reach * (1 - 1e-9);
@@ -142,7 +150,8 @@ TEST(PlanShadows, ARecycledPlanIsTheSamePlan)
     forEachCase(test::kCases / 10, [](Rng& rng) {
         const RandomSetup setup = anySetup(rng);
         FramePlan used = planOf(anySetup(rng), 64, 64);
-        const PlanInput input{setup.view, std::span(&setup.light, 1), setup.boxesWorld, setup.originWorld, {}, {128, 64}};
+        const PlanInput input{setup.view, std::span(&setup.light, 1), setup.boxesWorld, setup.originWorld, {},
+                              {128, 64}};
         FitScratch scratch;
         const FramePlan fresh = planShadows(input), again = planShadows(input, scratch, std::move(used));
         ASSERT_EQ(fresh.lights[0].regions.size(), again.lights[0].regions.size());
@@ -164,9 +173,12 @@ TEST(ClipConvention, FromHostIsTheInverseOfToHostAndDepthsAreTheHosts)
                 const Mat4d there = toHost(clip, host), back = fromHost(there, host);
                 for (int i = 0; i < 4; ++i)
                     for (int j = 0; j < 4; ++j)
-                        EXPECT_NEAR(back.m[i][j], clip.m[i][j], 1e-12 * (std::abs(clip.m[2][j]) + std::abs(clip.m[3][j]) + std::abs(clip.m[i][j])));
+                        EXPECT_NEAR(back.m[i][j], clip.m[i][j],
+                                    1e-12 * (std::abs(clip.m[2][j]) + std::abs(clip.m[3][j]) + std::abs(clip.m[i][j])));
                 const Vec3d p = anyPointInScene(setup, rng), ours = project(clip, p), hosts = project(there, p);
-                const double wanted = depth == ClipDepth::MinusOneToOne ? ours.z : depth == ClipDepth::ZeroToOne ? 0.5 + 0.5 * ours.z : 0.5 - 0.5 * ours.z;
+                const double wanted = depth == ClipDepth::MinusOneToOne ? ours.z
+                                      : depth == ClipDepth::ZeroToOne   ? 0.5 + 0.5 * ours.z
+                                                                        : 0.5 - 0.5 * ours.z;
                 EXPECT_NEAR(hosts.z, wanted, 1e-9 * (1 + std::abs(ours.z)));
                 EXPECT_NEAR(hosts.y, yDown ? -ours.y : ours.y, 1e-9 * (1 + std::abs(ours.y)));
             }

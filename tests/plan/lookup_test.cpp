@@ -48,12 +48,13 @@ std::optional<PlaneUnderLight> anyPlaneUnderLight(Rng& rng, int side)
         planShadows({setup.view, std::span(&setup.light, 1), setup.boxesWorld, setup.originWorld, technique, size});
     if (plan.lights[0].refused) return std::nullopt;
     const Box box = setup.sceneLocal();
-    const Vec3d through{rng.uniform(box.min.x, box.max.x), rng.uniform(box.min.y, box.max.y), rng.uniform(box.min.z, box.max.z)};
+    const Vec3d through{rng.uniform(box.min.x, box.max.x), rng.uniform(box.min.y, box.max.y),
+                        rng.uniform(box.min.z, box.max.z)};
     const Vec3d light = towardsLight(setup.light, setup.originWorld, through);
     const Vec3d normal = normalized(rng.logUniform(1e-4, 1) * light + 0.5 * cross(light, rng.onSphere()));
     if (!(dot(normal, light) > 0)) return std::nullopt;
-    return PlaneUnderLight{plan.lights[0].regions[0].lightClipFromLocal, plan.lights[0].regions[0].rectangle, plan.regionTable[0],
-                           planeThrough(through, normal)};
+    return PlaneUnderLight{plan.lights[0].regions[0].lightClipFromLocal, plan.lights[0].regions[0].rectangle,
+                           plan.regionTable[0], planeThrough(through, normal)};
 }
 
 TEST(Lookup, APlaneAloneIsLitAtEverySlopeScaleAndDistance)
@@ -66,13 +67,16 @@ TEST(Lookup, APlaneAloneIsLitAtEverySlopeScaleAndDistance)
         const LightImage image(scene->lightClipFromLocal, scene->rectangle);
         for (int i = 0; i < 8; ++i) {
             // A receiver of the plane somewhere in the map, rounded to float as view samples are.
-            const auto ray = image.rayThrough({rng.uniform(3, scene->rectangle.x1 - 3), rng.uniform(3, scene->rectangle.y1 - 3)});
-            const double t = -scene->plane.signedDistance(ray->originLocal) / dot(scene->plane.normal, ray->directionLocal);
+            const auto ray =
+                image.rayThrough({rng.uniform(3, scene->rectangle.x1 - 3), rng.uniform(3, scene->rectangle.y1 - 3)});
+            const double t =
+                -scene->plane.signedDistance(ray->originLocal) / dot(scene->plane.normal, ray->directionLocal);
             const Vec3d p = ray->originLocal + t * ray->directionLocal;
             const Vec4d clip = scene->lightClipFromLocal * point(p);
             if (!isFinite(p) || !(clip.w > 0) || std::abs(clip.z) > clip.w) continue;
             const Vec3f local = toFloat(p), normal = toFloat(scene->plane.normal);
-            const auto receiver = shared::lxReceive(scene->row, {local.x, local.y, local.z}, {normal.x, normal.y, normal.z});
+            const auto receiver =
+                shared::lxReceive(scene->row, {local.x, local.y, local.z}, {normal.x, normal.y, normal.z});
             if (receiver.isInside < 0.5f) continue;
             const auto stored = [&](int x, int y, int) { return scene->storedDepth(x, y); };
             EXPECT_EQ(shared::lxVisibility(scene->row, receiver, side, stored), 1.0f);
@@ -89,13 +93,15 @@ TEST(Lookup, AnOccluderNearerThanTheBiasAllowsShadowsAndOneBehindDoesNot)
         const auto scene = anyPlaneUnderLight(rng, 1);
         if (!scene) return;
         const LightImage image(scene->lightClipFromLocal, scene->rectangle);
-        const auto ray = image.rayThrough({rng.uniform(1, scene->rectangle.x1 - 1), rng.uniform(1, scene->rectangle.y1 - 1)});
+        const auto ray =
+            image.rayThrough({rng.uniform(1, scene->rectangle.x1 - 1), rng.uniform(1, scene->rectangle.y1 - 1)});
         const double t = -scene->plane.signedDistance(ray->originLocal) / dot(scene->plane.normal, ray->directionLocal);
         const Vec3d p = ray->originLocal + t * ray->directionLocal;
         const Vec3f local = toFloat(p), normal = toFloat(scene->plane.normal);
         const auto r = shared::lxReceive(scene->row, {local.x, local.y, local.z}, {normal.x, normal.y, normal.z});
         if (r.isInside < 0.5f || r.depth < 0 || r.depth > 1) return;
-        const float threshold = shared::lxShadowingDepth(r, {std::floor(r.lixel.x) + 0.5f, std::floor(r.lixel.y) + 0.5f});
+        const float threshold =
+            shared::lxShadowingDepth(r, {std::floor(r.lixel.x) + 0.5f, std::floor(r.lixel.y) + 0.5f});
         const auto at = [](float depth) { return [depth](int, int, int) { return depth; }; };
         EXPECT_EQ(shared::lxVisibility(scene->row, r, 1, at(0.0f)), 1.0f);
         EXPECT_EQ(shared::lxVisibility(scene->row, r, 1, at(threshold)), 1.0f);
@@ -108,7 +114,8 @@ TEST(Lookup, AnOccluderNearerThanTheBiasAllowsShadowsAndOneBehindDoesNot)
 TEST(Lookup, PcfGivesOneOfItsSharesAndStopsAtTheRectangle)
 {
     shared::ShadowRegion region;
-    for (int i = 0; i < 4; ++i) region.lightClipFromLocal[i] = {i == 0 ? 1.0f : 0, i == 1 ? 1.0f : 0, i == 2 ? 1.0f : 0, i == 3 ? 1.0f : 0};
+    for (int i = 0; i < 4; ++i)
+        region.lightClipFromLocal[i] = {i == 0 ? 1.0f : 0, i == 1 ? 1.0f : 0, i == 2 ? 1.0f : 0, i == 3 ? 1.0f : 0};
     region.lixelFromNdc = {4, 4, 12, 12};
     region.rectangle = {8, 8, 16, 16};
     forEachCase(test::kCases, [&](Rng& rng) {

@@ -47,7 +47,8 @@ inline View anyView(Rng& rng, Vec3d centre, double radius)
     const double far = rng.chance(0.5) ? INFINITY : radius * rng.logUniform(1, 30);
     const int width = rng.integer(64, 1024), height = rng.integer(64, 1024);
     if (rng.chance(0.2))
-        return orthographicView(eye, target, rng.onSphere(), radius * rng.uniform(0.2, 3), 0, std::isinf(far) ? 10 * radius : far, width, height);
+        return orthographicView(eye, target, rng.onSphere(), radius * rng.uniform(0.2, 3), 0,
+                                std::isinf(far) ? 10 * radius : far, width, height);
     return perspectiveView(eye, target, rng.onSphere(), rng.uniform(0.3, 2), near, far, width, height);
 }
 

@@ -39,8 +39,9 @@ TEST(TechniqueText, TheCanonicalFormParsesBackToTheSameValue)
 
 TEST(TechniqueText, WhatIsWrongIsOneLineThatQuotesIt)
 {
-    for (const char* text : {"", "nosuch", "focused+uniform", "pcf(3)", "pcf(9", "pcf)9(", "pcf(1,2)", "exact+focused", "focused(2)",
-                             "+", "depths(2)", "pcf(k=)", "pcf(n=4)", "exact-area(0)", "exact-area(99999999999999999999)", "pcf()"}) {
+    for (const char* text :
+         {"", "nosuch", "focused+uniform", "pcf(3)", "pcf(9", "pcf)9(", "pcf(1,2)", "exact+focused", "focused(2)", "+",
+          "depths(2)", "pcf(k=)", "pcf(n=4)", "exact-area(0)", "exact-area(99999999999999999999)", "pcf()"}) {
         const auto technique = parseTechnique(text);
         ASSERT_FALSE(technique) << text;
         EXPECT_NE(technique.error().find(text), std::string::npos);
@@ -50,7 +51,8 @@ TEST(TechniqueText, WhatIsWrongIsOneLineThatQuotesIt)
 
 TEST(TechniqueText, ListsSplitAtCommasOutsideParenthesesOnly)
 {
-    EXPECT_EQ(*splitTechniques("focused,depths(1,max), pcf(9)"), (std::vector<std::string>{"focused", "depths(1,max)", "pcf(9)"}));
+    EXPECT_EQ(*splitTechniques("focused,depths(1,max), pcf(9)"),
+              (std::vector<std::string>{"focused", "depths(1,max)", "pcf(9)"}));
     EXPECT_FALSE(splitTechniques("focused,,exact"));
     EXPECT_FALSE(splitTechniques("focused,(exact"));
 }
@@ -58,7 +60,8 @@ TEST(TechniqueText, ListsSplitAtCommasOutsideParenthesesOnly)
 TEST(TechniqueText, RandomTextNeverCrashes)
 {
     test::forEachCase(test::kCases, [](test::Rng& rng) {
-        static constexpr std::string_view kPieces[] = {"focused", "pcf", "(", ")", ":", ",", "+", "=", " ", "9", "k", "-", "exact", "\xff"};
+        static constexpr std::string_view kPieces[] = {"focused", "pcf", "(", ")", ":", ",",     "+",
+                                                       "=",       " ",   "9", "k", "-", "exact", "\xff"};
         std::string text;
         for (int i = rng.integer(0, 12); i > 0; --i) text += kPieces[std::size_t(rng.integer(0, 13))];
         if (const auto technique = parseTechnique(text)) {

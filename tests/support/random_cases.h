@@ -17,7 +17,10 @@ public:
 
     double uniform(double low, double high) { return low + (high - low) * unit(); }
     double logUniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-    int integer(int low, int high) { return low + int(std::uint64_t(engine_()) % std::uint64_t(high - low + 1)); } // both included
+    int integer(int low, int high)
+    {
+        return low + int(std::uint64_t(engine_()) % std::uint64_t(high - low + 1));
+    } // both included
     bool chance(double probability) { return unit() < probability; }
     Vec3d inBox(double half) { return {uniform(-half, half), uniform(-half, half), uniform(-half, half)}; }
     Vec3d onSphere()

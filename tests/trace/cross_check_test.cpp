@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Exact visibility against an independent method on view samples of every scene there is:
+// SPDX-License-Identifier: MIT
+// Exact visibility against an independent method on view samples of every scene there is:
 // built-in, and all files of the scene folder. Half of the samples lie within 2 pixels of a shadow boundary. Some
 // 20,000 samples in all, a million when thorough.
 #include "lixel/scene/builtin.h"

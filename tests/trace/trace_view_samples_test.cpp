@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lixel {
 namespace {
@@ -14,7 +16,7 @@ using namespace lixel::test;
 
 View anyView(Rng& rng, Vec3d centreWorld, double radius)
 {
-    const Vec3d eye = centreWorld + radius * rng.logUniform(1.5, 100) * rng.onSphere();
+    const Vec3d eye = centreWorld + radius * rng.logUniform(2, 100) * rng.onSphere();
     const Vec3d up = rng.onSphere();
     const double distance = length(eye - centreWorld);
     if (rng.chance(0.3))
@@ -88,7 +90,8 @@ TEST(TraceViewSamples, SeesTheNearestTriangle)
                     const double u = cross(p, Vec2d{d.x - a.x, d.y - a.y}) / area;
                     const double v = cross(Vec2d{b.x - a.x, b.y - a.y}, p) / area;
                     if (u < 0 || v < 0 || u + v > 1) continue;
-                    nearest(x, y) = std::min(nearest(x, y), a.z + u * (b.z - a.z) + v * (d.z - a.z));
+                    const double depth = a.z + u * (b.z - a.z) + v * (d.z - a.z);
+                    if (depth >= -1) nearest(x, y) = std::min(nearest(x, y), depth);
                 }
             }
         }

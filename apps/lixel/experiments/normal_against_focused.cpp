@@ -70,7 +70,8 @@ Reproduction reproduceNormalAgainstFocused(const ExperimentOptions& options)
     pictureOptions.size = fmt::format("{}x{}", kPicture.width, kPicture.height);
     Shooting shooting = prepare(pictureOptions, false);
     Shot& shot = shooting.shots.front();
-    const Stage stage = makeStage(shooting.scene, shooting.evaluateOptions, chooseOrigin(shot.camera.eyeWorld, shooting.sceneWorld));
+    const Stage stage =
+        makeStage(shooting.scene, shooting.evaluateOptions, chooseOrigin(shot.camera.eyeWorld, shooting.sceneWorld));
     const View view = makeView(shot.camera, shooting.width, shooting.height, shooting.sceneWorld);
     std::vector<std::unique_ptr<Executor>> executors;
     executors.push_back(makeExecutor(options.executor));
@@ -85,7 +86,8 @@ Reproduction reproduceNormalAgainstFocused(const ExperimentOptions& options)
     for (const Light& light : hemisphereLights(options.seed, count)) {
         progress.step(light.name);
         shot.lights = {light};
-        for (ResultRow& row : compareShot(shooting, shot, stage, view, executors, comparison, [](std::string_view) {})) {
+        for (ResultRow& row :
+             compareShot(shooting, shot, stage, view, executors, comparison, [](std::string_view) {})) {
             row.seed = options.seed;
             if (const Measurement* m = row.measured())
                 (row.technique == "focused" ? errors.focused : errors.normal).push_back(double(m->misclassified));
@@ -96,11 +98,16 @@ Reproduction reproduceNormalAgainstFocused(const ExperimentOptions& options)
     const double normal = std::accumulate(errors.normal.begin(), errors.normal.end(), 0.0);
     const double pixels = double(kPicture.width) * kPicture.height;
     out.run.timing.host = executors.front()->host();
-    out.parameters = {{"scene", pictureOptions.scene}, {"view", kView}, {"lights", fmt::format("{}", count)},
-                      {"size", pictureOptions.size}, {"lixels", fmt::format("{}x{}", kMap.width, kMap.height)},
-                      {"executor", options.executor}, {"seed", fmt::format("{}", options.seed)}};
+    out.parameters = {{"scene", pictureOptions.scene},
+                      {"view", kView},
+                      {"lights", fmt::format("{}", count)},
+                      {"size", pictureOptions.size},
+                      {"lixels", fmt::format("{}x{}", kMap.width, kMap.height)},
+                      {"executor", options.executor},
+                      {"seed", fmt::format("{}", options.seed)}};
     out.numbers = {
-        {"normal over focused, all lights", "ratio", normal / focused, kPaperNormal / kPaperFocused, "Table 1, using all data"},
+        {"normal over focused, all lights", "ratio", normal / focused, kPaperNormal / kPaperFocused,
+         "Table 1, using all data"},
         {"normal over focused, worst tenth by focused", "ratio", worstTenthRatio(errors, errors.focused),
          kPaperNormalInWorstOfFocused / kPaperFocusedInWorstOfFocused, "Table 1, worst 10 %, row Foc"},
         {"normal over focused, worst tenth by normal", "ratio", worstTenthRatio(errors, errors.normal),

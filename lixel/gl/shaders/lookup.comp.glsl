@@ -26,7 +26,7 @@ bool holds(ShadowRegion region, vec3 positionLocal)
 {
     int first = int(region.place.y), end = first + int(region.place.z);
     for (int i = first; i < end; ++i)
-        if (!(dot(halfSpaces[i].xyz, positionLocal) + halfSpaces[i].w >= 0.0)) return false;
+        if (!lxHolds(halfSpaces[i], positionLocal)) return false;
     return true;
 }
 

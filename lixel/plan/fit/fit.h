@@ -14,11 +14,10 @@
 namespace lixel {
 
 // Why a fit says no. Reports show the name and the sentence.
-enum class FitFailure
-{
-    NothingInView,          // no part of the scene is in the view and in the light's reach: there is nothing to shadow
-    ExtentNotInHemisphere,  // what must be seen from the light does not fit one perspective map; `cube` is needed
-    EmptyScene,             // there are no casters
+enum class FitFailure {
+    NothingInView,         // no part of the scene is in the view and in the light's reach: there is nothing to shadow
+    ExtentNotInHemisphere, // what must be seen from the light does not fit one perspective map; `cube` is needed
+    EmptyScene,            // there are no casters
 };
 std::string_view nameOf(FitFailure failure);
 std::string_view sentenceFor(FitFailure failure);
@@ -34,9 +33,9 @@ struct FitInput
 {
     const View& view;
     const Light& light;
-    Vec3d originWorld;                   // Local = World - originWorld
+    Vec3d originWorld; // Local = World - originWorld
     std::span<const Box> casterBoxesWorld;
-    Box sceneLocal;                      // of all casters and receivers
+    Box sceneLocal; // of all casters and receivers
     FitScratch& scratch;
 };
 

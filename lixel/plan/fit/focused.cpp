@@ -27,7 +27,8 @@ void addCone(const Light& light, Vec3d lightLocal, Planes& planes)
 void addRange(double range, Vec3d lightLocal, Planes& planes)
 {
     for (const Vec3d axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}})
-        for (const double sign : {1.0, -1.0}) planes.push_back(planeThrough(lightLocal + sign * range * axis, -sign * axis));
+        for (const double sign : {1.0, -1.0})
+            planes.push_back(planeThrough(lightLocal + sign * range * axis, -sign * axis));
 }
 
 // What must hold for a point to be in view and in the light's reach.
@@ -49,7 +50,8 @@ void addClippedBox(const Box& box, const Planes& planes, std::vector<Vec3d>& poi
     FixedVector<Plane, Planes::capacity()> cutting;
     for (const Plane& plane : planes) {
         const double middle = plane.signedDistance(centre);
-        const double reach = std::abs(plane.normal.x) * half.x + std::abs(plane.normal.y) * half.y + std::abs(plane.normal.z) * half.z;
+        const double reach =
+            std::abs(plane.normal.x) * half.x + std::abs(plane.normal.y) * half.y + std::abs(plane.normal.z) * half.z;
         if (middle < -reach) return;
         if (middle < reach) cutting.push_back(plane);
     }

@@ -58,7 +58,8 @@ LightFrame lightFrame(const Light& light, Vec3d originWorld, Vec3d axisLocal)
     const Vec3d right = anyPerpendicular(axis), up = cross(right, axis);
     const Vec3d apex = isPerspective ? light.positionWorld - originWorld : Vec3d{};
     const auto row = [&apex](Vec3d a) { return Vec4d{a.x, a.y, a.z, -dot(a, apex)}; };
-    return {Mat4d::fromRows(row(right), row(up), row(axis), isPerspective ? row(axis) : Vec4d{0, 0, 0, 1}), isPerspective};
+    return {Mat4d::fromRows(row(right), row(up), row(axis), isPerspective ? row(axis) : Vec4d{0, 0, 0, 1}),
+            isPerspective};
 }
 
 DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal)
@@ -67,8 +68,12 @@ DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal)
     // Scattered order: neighbours in the list are neighbours in space, which would make the search below quadratic.
     std::size_t stride = std::size_t(0.618 * double(pointsLocal.size())) | 1;
     while (std::gcd(stride, pointsLocal.size()) != 1) stride += 2;
-    const auto towards = [&](std::size_t i) { return normalized(pointsLocal[i * stride % pointsLocal.size()] - apexLocal); };
-    const auto isOutside = [](const DirectionCone& cone, Vec3d d) { return dot(cone.axis, d) < cone.cosHalfAngle - kConeSlack; };
+    const auto towards = [&](std::size_t i) {
+        return normalized(pointsLocal[i * stride % pointsLocal.size()] - apexLocal);
+    };
+    const auto isOutside = [](const DirectionCone& cone, Vec3d d) {
+        return dot(cone.axis, d) < cone.cosHalfAngle - kConeSlack;
+    };
     const auto through = [](Vec3d axis, Vec3d d) { return DirectionCone{axis, dot(axis, d)}; };
     const auto throughThree = [&](Vec3d a, Vec3d b, Vec3d c) {
         const Vec3d axis = normalized(cross(b - a, c - a));
@@ -90,7 +95,8 @@ DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal)
         }
     }
     // Directions that do not fit a half-space have no such cone; the cosine then says so.
-    for (std::size_t i = 0; i < pointsLocal.size(); ++i) cone.cosHalfAngle = std::min(cone.cosHalfAngle, dot(cone.axis, towards(i)));
+    for (std::size_t i = 0; i < pointsLocal.size(); ++i)
+        cone.cosHalfAngle = std::min(cone.cosHalfAngle, dot(cone.axis, towards(i)));
     return cone;
 }
 
@@ -98,7 +104,8 @@ Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double fa
 {
     const double scale = length(rectangle.centre) + length(rectangle.halfSize);
     const double least = scale > 0 ? kLeastRelativeHalfSize * scale : kLeastRelativeHalfSize;
-    rectangle.halfSize = {std::max(rectangle.halfSize.x * kBorder, least), std::max(rectangle.halfSize.y * kBorder, least)};
+    rectangle.halfSize = {std::max(rectangle.halfSize.x * kBorder, least),
+                          std::max(rectangle.halfSize.y * kBorder, least)};
 
     const double nearest = nearestCaster(frame, rectangle, input);
     double near = std::min(nearest, farDepth);
@@ -107,16 +114,15 @@ Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double fa
     near -= frame.isPerspective ? std::min(room, 0.5 * near) : room;
     const double far = farDepth + room;
 
-    const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), depth = frame.framedFromLocal.row(2),
-                w = frame.framedFromLocal.row(3);
+    const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1),
+                depth = frame.framedFromLocal.row(2), w = frame.framedFromLocal.row(3);
     const Vec2d a = rectangle.axis, b{-a.y, a.x};
     const auto along = [&](Vec2d axis, double half) {
         return (1 / half) * (axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w);
     };
     // Depth in NDC: linear for parallel light; for a perspective (f + n)/(f - n) - 2fn/((f - n) w), times w.
-    const Vec4d z = frame.isPerspective
-                        ? (1 / (far - near)) * ((far + near) * depth - Vec4d{0, 0, 0, 2 * far * near})
-                        : (1 / (far - near)) * (2.0 * depth - Vec4d{0, 0, 0, far + near});
+    const Vec4d z = frame.isPerspective ? (1 / (far - near)) * ((far + near) * depth - Vec4d{0, 0, 0, 2 * far * near})
+                                        : (1 / (far - near)) * (2.0 * depth - Vec4d{0, 0, 0, far + near});
     return {Mat4d::fromRows(along(a, rectangle.halfSize.x), along(b, rectangle.halfSize.y), z, w)};
 }
 

@@ -11,7 +11,7 @@ namespace lixel {
 // coordinates every fit is the same planar map for both.
 struct LightFrame
 {
-    Mat4d framedFromLocal;  // rows: x, y, depth, w
+    Mat4d framedFromLocal; // rows: x, y, depth, w
     bool isPerspective = false;
 };
 

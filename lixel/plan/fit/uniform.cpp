@@ -19,7 +19,8 @@ FitResult fitUniform(const FitInput& input)
         for (const Vec3d& p : corners) far = std::max(far, dot(p - lightLocal, input.light.directionWorld));
         if (std::isfinite(input.light.range)) far = std::min(far, input.light.range);
         if (!(far > 0)) return Unexpected{FitFailure::NothingInView};
-        if (std::cos(input.light.coneAngle / 2) < kLeastCosHalfAngle) return Unexpected{FitFailure::ExtentNotInHemisphere};
+        if (std::cos(input.light.coneAngle / 2) < kLeastCosHalfAngle)
+            return Unexpected{FitFailure::ExtentNotInHemisphere};
         const double half = std::tan(input.light.coneAngle / 2);
         return fitRectangle(frame, {{0, 0}, {1, 0}, {half, half}}, far, input);
     }

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "output.h"
+
+#include "lixel/report/write_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+namespace lixel::app {
+namespace {
+
+[[noreturn]] void failPrinting(int errorNumber)
+{
+    throw OutputError("standard output", std::generic_category().message(errorNumber));
+}
+
+} // namespace
+
+void expectWritable(const fs::path& path)
+{
+    // A pipe that is opened and closed would end its reader.
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    const bool isDevice = fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+    if (path != "-" && !isDevice) AtomicFile discarded(path);
+}
+
+OutputFolder::OutputFolder(const fs::path& path) : path_(path)
+{
+    std::error_code error;
+    for (fs::path above = path; !above.empty() && !fs::exists(above, error); above = above.parent_path())
+        made_.push_back(above);
+    makeFolder(path);
+}
+
+OutputFolder::~OutputFolder()
+{
+    std::error_code stays; // a folder with something in it cannot be removed
+    for (const fs::path& folder : made_) fs::remove(folder, stays);
+}
+
+void writeOrPrint(const fs::path& path, std::string_view bytes)
+{
+    if (path != "-") return writeFileAtomically(path, bytes);
+    errno = 0;
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) failPrinting(errno);
+    finishPrinting();
+}
+
+void finishPrinting()
+{
+    errno = 0;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) failPrinting(errno != 0 ? errno : EIO);
+}
+
+} // namespace lixel::app

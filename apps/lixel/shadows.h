@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "executor.h"
+#include "lixel/plan/footprint.h"
+#include "lixel/plan/technique.h"
+
+#include <optional>
+#include <vector>
+
+// From a technique to visibility: by a plan, which executors run, or by rays.
+namespace lixel::app {
+
+// The plan of a technique with a map, for all lights; nothing for the others.
+std::optional<FramePlan> planFor(const Technique& technique, const Stage& stage, const View& view,
+                                 std::span<const Light> lights, LixelSize lixels);
+
+// What a technique without a map says, one a light. It is the same for all executors.
+std::vector<Visibility> visibilityByRays(const Technique& technique, const Stage& stage, const View& view,
+                                         const ViewSamples& samples, std::span<const Light> lights);
+
+// Footprints in the light image that serves a point: of the first region that holds it.
+class ServedFootprints
+{
+public:
+    ServedFootprints(const View& view, Vec3d originWorld, const ShadowPlan& plan);
+    std::optional<Footprint> at(Vec3d pointLocal, Vec3d normal) const;
+
+private:
+    const View& view_;
+    Vec3d originWorld_;
+    std::vector<LightImage> images_;
+};
+
+} // namespace lixel::app

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// `lixel compare`: numbers, pictures and the report.
+#include "report/sample_results.h"
+#include "report/schema_check.h"
+#include "run_command.h"
+#include "support/scene_files.h"
+
+#include "lixel/plan/technique.h"
+#include "lixel/report/png.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace lixel::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+class Compare : public ::testing::Test
+{
+protected:
+    CommandResult compare(const Words& words, int exitCode = 0)
+    {
+        Words all{"compare"};
+        all.insert(all.end(), words.begin(), words.end());
+        CommandOptions options;
+        options.folder = folder_.path();
+        const CommandResult run = runLixel(all, options);
+        EXPECT_EQ(run.exitCode, exitCode) << asTyped(all) << "\n" << run.err;
+        return run;
+    }
+    // The table at 64x64 by the CPU executor into the folder `out`.
+    CommandResult compareTable(Words words, int exitCode = 0)
+    {
+        const Words fixed{"table", "--size",          "64x64", "--lixels", "128x128", "--executor",
+                          "trace", "--timing-frames", "1",     "-o",       "out"};
+        words.insert(words.begin(), fixed.begin(), fixed.end());
+        return compare(words, exitCode);
+    }
+    fs::path out() const { return folder_.path() / "out"; }
+    std::string resultsText() const { return readWhole(out() / "results.json"); }
+    Json results() const { return Json::parse(resultsText()).at("results"); }
+
+    TemporaryFolder folder_;
+};
+
+Json withoutTiming(Json json)
+{
+    if (json.is_object()) json.erase("timing");
+    for (auto& part : json)
+        if (part.is_structured()) part = withoutTiming(part);
+    return json;
+}
+
+auto keyOf(const Json& row)
+{
+    const auto text = [&](const char* name) { return row.at(name).get<std::string>(); };
+    return std::tuple(text("scene"), text("view"), text("light"), text("technique_full"), text("lixels"), text("size"),
+                      text("executor"));
+}
+
+TEST_F(Compare, WritesResultsPicturesAndReport)
+{
+    const CommandResult run = compareTable({"--view", "overview", "--techniques", "uniform,focused+pcf:9"});
+    EXPECT_EQ(run.err, "");
+    EXPECT_NE(run.out.find("report: out/report.html"), std::string::npos) << run.out;
+    EXPECT_EQ(schemaError(resultsText()), "");
+    EXPECT_GT(fs::file_size(out() / "report.html"), 10'000u);
+
+    const Json rows = results();
+    ASSERT_EQ(rows.size(), 3u) << "exact stands beside every comparison";
+    for (const Json& row : rows) {
+        const Json& pictures = row.at("pictures");
+        EXPECT_EQ(pictures.size(), row.at("technique") == "exact" ? 2u : 3u);
+        for (const auto& [what, file] : pictures.items())
+            EXPECT_EQ(readPng(out() / file.get<std::string>()).width(), 64) << what;
+    }
+}
+
+TEST_F(Compare, RowsAreSortedAndTheirTechniquesReadBack)
+{
+    compareTable({"--view", "two-lights", "--techniques", "pcf:4+uniform,focused,exact-area:4,exact"});
+    const Json rows = results();
+    ASSERT_EQ(rows.size(), 8u);
+    EXPECT_TRUE(
+        std::is_sorted(rows.begin(), rows.end(), [](const Json& a, const Json& b) { return keyOf(a) < keyOf(b); }));
+    for (const Json& row : rows) {
+        const std::string full = row.at("technique_full");
+        const auto typed = parseTechnique(row.at("technique").get<std::string>()), read = parseTechnique(full);
+        ASSERT_TRUE(typed && read) << full;
+        EXPECT_EQ(*typed, *read);
+        EXPECT_EQ(toString(*read), full);
+    }
+}
+
+TEST_F(Compare, CountsAddUp)
+{
+    compareTable({"--view", "two-lights"});
+    for (const Json& row : results()) {
+        const auto count = [&](const char* name) { return row.at(name).get<std::int64_t>(); };
+        EXPECT_EQ(count("misclassified"), count("false_shadow") + count("false_lit"));
+        EXPECT_EQ(count("light_facing"),
+                  count("edge_band_samples") + count("terminator_band_samples") + count("interior_samples"));
+        EXPECT_EQ(count("unserved"), 0);
+        EXPECT_GT(count("light_facing"), 0);
+        const bool isExact = row.at("technique") == "exact";
+        EXPECT_TRUE(!isExact || count("misclassified") == 0);
+        EXPECT_EQ(count("lixels_used"), isExact ? 0 : 128 * 128);
+        EXPECT_EQ(row.at("timing").at("frame_ms").is_null(), isExact);
+    }
+}
+
+TEST_F(Compare, TheSameCommandGivesTheSameBytes)
+{
+    const Words words{"--view", "overview", "--techniques", "focused+pcf:9,exact-area:4"};
+    compareTable(words);
+    const Json first = withoutTiming(Json::parse(resultsText()));
+    const std::string picture =
+        readWhole(out() / first.at("results")[0].at("pictures").at("shaded").get<std::string>());
+    compareTable(words);
+    const Json second = withoutTiming(Json::parse(resultsText()));
+    EXPECT_EQ(first.dump(), second.dump());
+    EXPECT_EQ(picture, readWhole(out() / second.at("results")[0].at("pictures").at("shaded").get<std::string>()));
+}
+
+TEST_F(Compare, JsonOnStandardOutputIsAloneThere)
+{
+    const Words words{"table", "--view",     "overview", "--size",          "32x32", "--lixels",
+                      "64x64", "--executor", "trace",    "--timing-frames", "0"};
+    Words printed = words, written = words;
+    printed.insert(printed.end(), {"--json", "-"});
+    written.insert(written.end(), {"--json", "file.json"});
+    const CommandResult run = compare(printed);
+    EXPECT_EQ(schemaError(run.out), "");
+    EXPECT_NE(run.err.find("misclassified"), std::string::npos) << "the table goes beside it";
+    compare(written);
+    Json file = withoutTiming(Json::parse(readWhole(folder_.path() / "file.json"))),
+         out = withoutTiming(Json::parse(run.out));
+    file.erase("command"), out.erase("command");
+    EXPECT_EQ(file, out);
+    EXPECT_EQ(folder_.fileCount(), 1u);
+}
+
+TEST_F(Compare, AllViewsOfABuiltInSceneAreTaken)
+{
+    compare({"table", "--size", "16x16", "--lixels", "32x32", "--executor", "trace", "--timing-frames", "0",
+             "--techniques", "focused", "--json", "all.json"});
+    std::vector<std::string> views;
+    for (const Json& row : Json::parse(readWhole(folder_.path() / "all.json")).at("results"))
+        views.push_back(row.at("view"));
+    views.erase(std::unique(views.begin(), views.end()), views.end());
+    EXPECT_GE(views.size(), 8u);
+}
+
+TEST_F(Compare, BothExecutorsSayHowFarTheyAgree)
+{
+    CommandOptions options;
+    options.folder = folder_.path();
+    const CommandResult probe =
+        runLixel({"render", "table", "--size", "8x8", "--lixels", "8x8", "-o", "probe.png"}, options);
+    if (probe.exitCode == 4) {
+        const char* required = std::getenv("LIXEL_REQUIRE_GL");
+        if (required && std::string(required) == "1") FAIL() << probe.err;
+        GTEST_SKIP() << "no graphics: " << probe.err;
+    }
+    compare(
+        {"table", "--view", "overview", "--size", "128x128", "--lixels", "256x256", "--executor", "both", "-o", "out"});
+    EXPECT_EQ(schemaError(resultsText()), "");
+    const Json rows = results();
+    ASSERT_EQ(rows.size(), 6u);
+    for (const Json& row : rows) {
+        EXPECT_EQ(row.at("agreement_with"), row.at("executor") == "gl" ? "trace" : "gl");
+        EXPECT_GE(row.at("agreement_percent").get<double>(), 99.5) << row.at("technique");
+        EXPECT_EQ(row.at("light_facing"), rows[0].at("light_facing")) << "both are asked about the same samples";
+    }
+}
+
+TEST_F(Compare, RefusedLightsHaveRowsWithTheReason)
+{
+    compareTable({"--view", "overview", "--light-position", "0,1.5,0.5"}, 5);
+    EXPECT_EQ(schemaError(resultsText()), "");
+    int refused = 0;
+    for (const Json& row : results()) {
+        if (row.at("technique") == "exact") continue;
+        ++refused;
+        EXPECT_EQ(row.at("refused").at("reason"), "extent-not-in-hemisphere");
+        EXPECT_NE(row.at("refused").at("message").get<std::string>().find("cube"), std::string::npos);
+        EXPECT_FALSE(row.contains("misclassified"));
+    }
+    EXPECT_EQ(refused, 2);
+    EXPECT_TRUE(fs::exists(out() / "report.html"));
+}
+
+TEST_F(Compare, AnInterruptionLeavesNoBrokenFile)
+{
+    const auto pictures = [&] { return fs::exists(out() / "pictures") && !fs::is_empty(out() / "pictures"); };
+    CommandOptions options;
+    options.folder = folder_.path();
+    options.interruptWhen = pictures;
+    const CommandResult run =
+        runLixel({"compare", "table", "--size", "512x512", "--executor", "trace", "-o", "out"}, options);
+    EXPECT_EQ(run.exitCode, 130);
+    EXPECT_EQ(run.err, "lixel: interrupted\n");
+    for (const auto& entry : fs::recursive_directory_iterator(out())) {
+        if (entry.is_directory()) continue;
+        ASSERT_EQ(entry.path().extension(), ".png") << entry.path();
+        EXPECT_EQ(readPng(entry.path()).width(), 512);
+    }
+}
+
+} // namespace
+} // namespace lixel::test

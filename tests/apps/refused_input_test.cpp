@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// What the command line says no to: one line, the right exit code, at once, and nothing is left behind.
+#include "report/sample_results.h"
+#include "run_command.h"
+#include "support/scene_files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace lixel::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+constexpr int kFailed = 1, kBadUsage = 2, kBadInput = 3, kNoGraphics = 4, kRefused = 5;
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr double kAtOnce = 10; // seconds of processor time; sanitizers take several times as long
+#else
+constexpr double kAtOnce = 1;
+#endif
+
+// A scene that is read in no time.
+std::string room() { return (dataFolder() / "room.obj").string(); }
+
+Words operator+(Words left, const Words& right)
+{
+    left.insert(left.end(), right.begin(), right.end());
+    return left;
+}
+
+std::vector<std::string> namesIn(const fs::path& folder)
+{
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+// Runs it in a folder of its own and looks at all that a refusal promises. Returns the line without "lixel: ".
+class RefusedInput : public ::testing::Test
+{
+protected:
+    std::string refusal(const Words& words, int exitCode, CommandOptions options = {})
+    {
+        SCOPED_TRACE(asTyped(words));
+        const auto before = namesIn(folder_.path());
+        options.folder = folder_.path();
+        const CommandResult run = runLixel(words, options);
+        EXPECT_EQ(run.exitCode, exitCode) << run.err;
+        EXPECT_EQ(run.err.substr(0, 7), "lixel: ");
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+        EXPECT_EQ(run.err.back(), '\n');
+        EXPECT_EQ(run.out, "");
+        EXPECT_LT(run.cpuSeconds, kAtOnce);
+        EXPECT_EQ(namesIn(folder_.path()), before) << "something is left behind";
+        return run.err.size() > 8 ? run.err.substr(7, run.err.size() - 8) : "";
+    }
+    std::string renderRefusal(const Words& words, int exitCode)
+    {
+        return refusal(Words{"render", room(), "-o", "a.png", "--executor", "trace"} + words, exitCode);
+    }
+    void write(const std::string& name, const std::string& text) const { std::ofstream(folder_.path() / name) << text; }
+
+    TemporaryFolder folder_;
+};
+
+void expectMention(const std::string& line, const std::string& word)
+{
+    EXPECT_NE(line.find(word), std::string::npos) << "\"" << word << "\" is not in: " << line;
+}
+
+TEST_F(RefusedInput, CommandsAndOptionsMustBeKnown)
+{
+    expectMention(refusal({}, kBadUsage), "render, compare, reproduce, techniques, scenes");
+    expectMention(refusal({"paint"}, kBadUsage), "\"paint\": no such command");
+    expectMention(refusal({"--paint"}, kBadUsage), "lixel --help");
+    expectMention(refusal({"render"}, kBadUsage), "SCENE");
+    expectMention(renderRefusal({"--paint"}, kBadUsage), "--paint");
+    expectMention(renderRefusal({"room.obj"}, kBadUsage), "room.obj");
+    expectMention(renderRefusal({"--size", "8x8", "--size", "9x9"}, kBadUsage), "--size");
+    expectMention(renderRefusal({"--executor", "gl"}, kBadUsage), "--executor");
+    expectMention(refusal({"render", room(), "-o", "a.png", "--executor", "vulkan"}, kBadUsage), "gl,trace");
+    expectMention(refusal({"render", room()}, kBadUsage), "-o PICTURE.png or --exr FILE.exr");
+    expectMention(refusal({"compare", room()}, kBadUsage), "-o FOLDER");
+    expectMention(refusal({"techniques", "all"}, kBadUsage), "all");
+    expectMention(refusal({"scenes", "atlantis"}, kBadUsage), "atlantis");
+    expectMention(refusal({"reproduce", "nothing"}, kBadUsage), "normal-against-focused");
+    expectMention(refusal({"reproduce", "normal-against-focused", "--seed", "-1"}, kBadUsage), "whole number");
+}
+
+TEST_F(RefusedInput, TechniquesMustBeKnownAndWhole)
+{
+    expectMention(renderRefusal({"--technique", "nope"}, kBadUsage), "\"nope\" is not known");
+    expectMention(renderRefusal({"--technique", ""}, kBadUsage), "empty");
+    expectMention(renderRefusal({"--technique", "uniform+focused"}, kBadUsage), "more than one fit");
+    expectMention(renderRefusal({"--technique", "whole+whole"}, kBadUsage), "more than one partition");
+    expectMention(renderRefusal({"--technique", "pcf(3)"}, kBadUsage), "pcf(k)");
+    expectMention(renderRefusal({"--technique", "exact-area(2)"}, kBadUsage), "square");
+    expectMention(renderRefusal({"--technique", "uniform,focused"}, kBadUsage), "compare");
+    expectMention(refusal({"compare", room(), "-o", "out", "--techniques", "uniform,"}, kBadUsage), "empty");
+    expectMention(refusal({"compare", room(), "-o", "out", "--techniques", "focused,whole+focused"}, kBadUsage),
+                  "the same");
+}
+
+TEST_F(RefusedInput, ScenesAndViewsMustBeKnown)
+{
+    expectMention(refusal({"render", "atlantis", "-o", "a.png"}, kBadUsage), "bunnies, table");
+    expectMention(refusal({"render", "", "-o", "a.png"}, kBadUsage), "not built in");
+    expectMention(refusal({"render", "fence(height=3)", "-o", "a.png"}, kBadUsage), "tufts");
+    expectMention(refusal({"render", "bunnies(0)", "-o", "a.png"}, kBadUsage), "count");
+    expectMention(refusal({"render", "table", "--view", "nowhere", "-o", "a.png"}, kBadUsage), "under-table");
+    expectMention(renderRefusal({"--view", "all"}, kBadUsage), "one view");
+    expectMention(renderRefusal({"--path"}, kBadUsage), "has a path");
+    expectMention(renderRefusal({"--animation", "0"}, kBadUsage), "the scene has 0");
+    expectMention(refusal({"compare", "table", "--path", "--view", "all", "-o", "out"}, kBadUsage), "one view");
+}
+
+TEST_F(RefusedInput, SizesAreFromOneToALimit)
+{
+    for (const char* size :
+         {"0x0", "0x5", "1000000000", "1000000000x1", "99999999999999999999x1", "-5x5", "5x", "x5", "5x5x5", "", "a"}) {
+        expectMention(renderRefusal({"--lixels", size}, kBadUsage), "--lixels");
+        expectMention(renderRefusal({std::string("--size=") + size}, kBadUsage), "--size");
+    }
+    expectMention(refusal({"compare", room(), "-o", "out", "--timing-frames", "-1"}, kBadUsage), "--timing-frames");
+}
+
+TEST_F(RefusedInput, CamerasMustSee)
+{
+    expectMention(renderRefusal({"--eye", "1,2"}, kBadUsage), "--eye \"1,2\": expected three finite numbers");
+    for (const char* point : {"", "1,2,3,4", "1;2;3", "nan,0,0", "0,inf,0", "1,2,x"})
+        expectMention(renderRefusal({"--target", point}, kBadUsage), "three finite numbers");
+    expectMention(renderRefusal({"--eye", "1,2,3", "--target", "1,2,3"}, kBadUsage), "eye and target");
+    expectMention(renderRefusal({"--eye", "1,2,3", "--target", "1,5,3", "--up", "0,1,0"}, kBadUsage), "up");
+    expectMention(renderRefusal({"--up", "0,0,0"}, kBadUsage), "up");
+    expectMention(renderRefusal({"--eye", "1e13,0,0"}, kBadUsage), "at most");
+    for (const char* degrees : {"0", "180", "-10", "nan", "1e999"})
+        expectMention(renderRefusal({"--fovy", degrees}, kBadUsage), "fovy");
+    expectMention(renderRefusal({"--near", "0"}, kBadUsage), "--near");
+    expectMention(renderRefusal({"--near", "nan"}, kBadUsage), "--near");
+    expectMention(renderRefusal({"--near", "2", "--far", "2"}, kBadUsage), "--far");
+    expectMention(renderRefusal({"--far", "nan"}, kBadUsage), "--far");
+    for (const char* seconds : {"nan", "inf", "-1", "", "soon"})
+        expectMention(renderRefusal({"--time", seconds}, kBadUsage), "--time");
+}
+
+TEST_F(RefusedInput, LightsMustBeSomewhere)
+{
+    expectMention(renderRefusal({"--light-position", "nan,0,0"}, kBadUsage), "--light-position");
+    expectMention(renderRefusal({"--light-direction", "0,0,0"}, kBadUsage), "direction");
+    expectMention(renderRefusal({"--light-angle", "30"}, kBadUsage), "--light-position");
+    expectMention(renderRefusal({"--light-direction", "0,-1,0", "--light-range", "5"}, kBadUsage), "--light-range");
+    for (const char* degrees : {"0", "180", "nan"})
+        expectMention(
+            renderRefusal({"--light-position", "0,5,0", "--light-direction", "0,-1,0", "--light-angle", degrees},
+                          kBadUsage),
+            "angle");
+    for (const char* range : {"0", "-1", "nan"})
+        expectMention(renderRefusal({"--light-position", "0,5,0", "--light-range", range}, kBadUsage), "range");
+}
+
+TEST_F(RefusedInput, EveryBadFileIsNamed)
+{
+    for (const auto& entry : fs::directory_iterator(dataFolder() / "bad")) {
+        const std::string path = entry.path().string();
+        expectMention(refusal({"render", path, "-o", "a.png", "--executor", "trace"}, kBadInput), path);
+    }
+    expectMention(refusal({"render", "missing.glb", "-o", "a.png"}, kBadInput), "missing.glb: no such file");
+    expectMention(refusal({"compare", "missing.glb", "-o", "out"}, kBadInput), "missing.glb: no such file");
+    expectMention(refusal({"render", "./", "-o", "a.png"}, kBadInput), "directory");
+}
+
+TEST_F(RefusedInput, ViewFilesAreReadToTheLetter)
+{
+    const std::pair<const char*, const char*> files[] = {
+        {"", "empty"},
+        {R"({"camera":)", "line"},
+        {R"([])", "object"},
+        {R"({"kamera": {}})", "kamera"},
+        {R"({"camera": {"eye": [0, 0, 0], "target": [0, 0, 0]}})", "eye and target"},
+        {R"({"camera": {"eye": [0, 0], "target": [0, 0, 0]}})", "/camera/eye"},
+        {R"({"camera": {"eye": [0, 0, 1], "target": [0, 0, 0], "fovy": 0}})", "/camera/fovy"},
+        {R"({"camera": {"eye": [0, 0, 1], "target": [0, 0, 0], "fovy": 180}})", "fovy"},
+        {R"({"camera": {"eye": [0, 0, 1], "target": [0, 0, 0], "near": 2, "far": 1}})", "near"},
+        {R"({"lights": []})", "/lights"},
+        {R"({"light": {}})", "position"},
+        {R"({"light": {"position": [NaN, 0, 0]}})", "line"},
+        {R"({"light": {"position": [1e400, 0, 0]}})", "double"},
+        {R"({"light": {"direction": [0, 0, 0]}})", "direction"},
+        {R"({"lights": [{"name": "a", "direction": [0, -1, 0]}, {"name": "a", "direction": [1, -1, 0]}]})",
+         "\"a\" is taken"},
+        {R"({"time": -1})", "/time"},
+        {R"({"path": []})", "/path"},
+        {R"({"path": [{"time": 1, "eye": [0, 0, 1], "target": [0, 0, 0]}, {"time": 0, "eye": [0, 0, 1], "target": [0, 0, 0]}]})",
+         "/path/1"},
+    };
+    for (const auto& [text, mention] : files) {
+        write("view.json", text);
+        const std::string line = renderRefusal({"--view", "view.json"}, kBadInput);
+        EXPECT_EQ(line.substr(0, 9), "view.json");
+        expectMention(line, mention);
+    }
+    expectMention(renderRefusal({"--view", "missing.json"}, kBadInput), "missing.json: no such file");
+    expectMention(renderRefusal({"--view", "."}, kBadInput), "directory");
+}
+
+TEST_F(RefusedInput, OutputsMustBeWritable)
+{
+    write("file", "not a folder");
+    fs::create_directory(folder_.path() / "folder.png");
+    const auto render = [&](const Words& more, int code) {
+        return refusal(Words{"render", room(), "--executor", "trace"} + more, code);
+    };
+    expectMention(render({"-o", "nowhere/a.png"}, kFailed), "nowhere/a.png: cannot be written");
+    expectMention(render({"-o", "file/a.png"}, kFailed), "file/a.png: cannot be written");
+    expectMention(render({"-o", "folder.png"}, kFailed), "folder.png: cannot be written");
+    expectMention(render({"-o", "a.png", "--exr", "nowhere/a.exr"}, kFailed), "nowhere/a.exr");
+    expectMention(render({"-o", "a.jpg"}, kBadUsage), ".png");
+    expectMention(render({"--exr", "a.png"}, kBadUsage), ".exr");
+    expectMention(render({"-o", "same", "--exr", "same"}, kBadUsage), "two files");
+    expectMention(render({"-o", "a.png", "--exact"}, kBadUsage), "--exr");
+    expectMention(render({"--exr", "a.exr", "--density", "--technique", "exact"}, kBadUsage), "no map");
+
+    const auto compare = [&](const Words& more) {
+        return refusal(Words{"compare", room(), "--executor", "trace"} + more, kFailed);
+    };
+    expectMention(compare({"-o", "file"}), "file: cannot be written");
+    expectMention(compare({"-o", "file/deeper/out"}), "file/deeper/out: cannot be written");
+    expectMention(compare({"-o", "new/deep", "--json", "nowhere/a.json"}), "nowhere/a.json");
+    expectMention(refusal({"reproduce", "normal-against-focused", "--json", "nowhere/a.json"}, kFailed),
+                  "nowhere/a.json");
+}
+
+TEST_F(RefusedInput, ReportsThatCannotBeMadeLeaveNoFolder)
+{
+    expectMention(refusal({"compare", "missing.glb", "-o", "new/deep/out"}, kBadInput), "missing.glb");
+    expectMention(refusal({"compare", "table", "--view", "nowhere", "-o", "new/deep/out"}, kBadUsage), "nowhere");
+}
+
+TEST_F(RefusedInput, WhatIsFullIsAFailure)
+{
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+    const Words small{"--executor", "trace", "--size", "8x8", "--lixels", "8x8"};
+    CommandOptions full;
+    full.printTo = "/dev/full";
+    expectMention(refusal({"techniques"}, kFailed, full), "standard output: cannot be written");
+    expectMention(refusal({"--help"}, kFailed, full), "standard output: cannot be written");
+    const Words scene{"render", (dataFolder() / "strip_fan.gltf").string()};
+    expectMention(refusal(scene + small + Words{"-o", "-"}, kFailed, full), "standard output: cannot be written");
+    expectMention(refusal(scene + small + Words{"-o", "/dev/full"}, kFailed), "/dev/full: cannot be written");
+}
+
+TEST_F(RefusedInput, WithoutGraphicsTheOtherExecutorIsNamed)
+{
+    CommandOptions options;
+    options.environment = {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent.json"}};
+    expectMention(refusal({"render", room(), "-o", "a.png"}, kNoGraphics, options), "--executor trace");
+    expectMention(refusal({"compare", room(), "-o", "out"}, kNoGraphics, options), "--executor trace");
+    expectMention(refusal({"compare", room(), "-o", "out", "--executor", "both"}, kNoGraphics, options),
+                  "--executor trace");
+}
+
+TEST_F(RefusedInput, APointLightAmidTheVisibleSceneIsRefusedByName)
+{
+    // A lamp between floor and wall sees around itself more than one perspective map can hold.
+    const Words lamp{"table", "--view", "overview", "--light-position", "0,1.5,0.5", "--executor",
+                     "trace", "--size", "16x16"};
+    expectMention(refusal(Words{"render"} + lamp + Words{"-o", "a.png"}, kRefused), "extent-not-in-hemisphere");
+}
+
+} // namespace
+} // namespace lixel::test

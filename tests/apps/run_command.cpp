@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "run_command.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace lixel::test {
+namespace {
+
+// Takes what the process prints: into an unnamed file, or to a path.
+class Capture
+{
+public:
+    explicit Capture(const std::filesystem::path& path)
+        : file_(path.empty() ? std::tmpfile() : std::fopen(path.c_str(), "w+"))
+    {
+        if (!file_) throw std::runtime_error("no file for what is printed");
+    }
+    Capture(const Capture&) = delete;
+    Capture& operator=(const Capture&) = delete;
+    ~Capture() { std::fclose(file_); }
+
+    int descriptor() const { return fileno(file_); }
+    std::string text() const
+    {
+        std::string all;
+        char block[4096];
+        std::rewind(file_);
+        for (std::size_t read; (read = std::fread(block, 1, sizeof block, file_)) > 0;) all.append(block, read);
+        return all;
+    }
+
+private:
+    std::FILE* file_;
+};
+
+// Between fork and exec only calls that are safe there: everything else is prepared before.
+[[noreturn]] void become(char* const* arguments, char* const* environment, const char* folder, int out, int err)
+{
+    if (*folder && chdir(folder) != 0) _exit(126);
+    if (dup2(out, STDOUT_FILENO) < 0 || dup2(err, STDERR_FILENO) < 0) _exit(126);
+    execve(LIXEL_CLI, arguments, environment);
+    _exit(127);
+}
+
+std::vector<std::string> environmentWith(const std::map<std::string, std::string>& more)
+{
+    std::vector<std::string> all;
+    for (char** entry = environ; *entry; ++entry) {
+        const std::string text = *entry;
+        if (!more.contains(text.substr(0, text.find('=')))) all.push_back(text);
+    }
+    for (const auto& [name, value] : more) {
+        std::string entry = name;
+        entry.append("=").append(value);
+        all.push_back(entry);
+    }
+    return all;
+}
+
+std::vector<char*> pointersTo(std::vector<std::string>& texts)
+{
+    std::vector<char*> out;
+    for (std::string& text : texts) out.push_back(text.data());
+    out.push_back(nullptr);
+    return out;
+}
+
+double seconds(const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); }
+
+// Waits for its end, and interrupts it once when that is asked for.
+void await(pid_t process, const CommandOptions& options, CommandResult& result)
+{
+    int status = 0;
+    rusage used{};
+    bool wasInterrupted = false;
+    while (wait4(process, &status, options.interruptWhen ? WNOHANG : 0, &used) == 0) {
+        if (!wasInterrupted && options.interruptWhen()) wasInterrupted = kill(process, SIGINT) == 0;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    result.cpuSeconds = seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+} // namespace
+
+CommandResult runLixel(const std::vector<std::string>& arguments, const CommandOptions& options)
+{
+    const Capture out(options.printTo), err({});
+    std::vector<std::string> words{"lixel"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<std::string> environment = environmentWith(options.environment);
+    const std::vector<char*> wordPointers = pointersTo(words), environmentPointers = pointersTo(environment);
+    const std::string folder = options.folder.string();
+
+    const pid_t process = fork();
+    if (process < 0) throw std::runtime_error("no new process");
+    if (process == 0)
+        become(wordPointers.data(), environmentPointers.data(), folder.c_str(), out.descriptor(), err.descriptor());
+    CommandResult result;
+    await(process, options, result);
+    result.out = out.text();
+    result.err = err.text();
+    return result;
+}
+
+std::string asTyped(const std::vector<std::string>& arguments)
+{
+    std::string line = "lixel";
+    for (const std::string& argument : arguments) line.append(" ").append(argument);
+    return line;
+}
+
+} // namespace lixel::test

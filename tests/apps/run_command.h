@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+// The command line as a user has it: the built executable in a process of its own, without a shell.
+namespace lixel::test {
+
+struct CommandOptions
+{
+    std::filesystem::path folder;                   // to run in; empty: this process's
+    std::map<std::string, std::string> environment; // besides this process's
+    std::filesystem::path printTo;                  // standard output goes there; empty: into the result
+    std::function<bool()> interruptWhen;            // asked again and again; then it gets one SIGINT, as by Ctrl-C
+};
+
+struct CommandResult
+{
+    int exitCode = -1; // 128 + signal where one ended it
+    std::string out, err;
+    double cpuSeconds = 0; // of all its threads: other work on the machine does not count
+};
+
+CommandResult runLixel(const std::vector<std::string>& arguments, const CommandOptions& options = {});
+
+// "lixel a b c", for messages.
+std::string asTyped(const std::vector<std::string>& arguments);
+
+} // namespace lixel::test
