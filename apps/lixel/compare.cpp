@@ -121,7 +121,6 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
     if (!options.json.empty()) expectWritable(options.json);
     const Shooting shooting = prepare(options.picture, true);
     const auto executors = makeExecutors(options.executor);
-    tellWarnings(*shooting.scene);
 
     RunResults results;
     const Stopwatch total;
@@ -134,6 +133,7 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
         writeFileAtomically(output / "results.json", json);
         writeReport(output, results);
     }
+    tellWarnings(*shooting.scene);
     // With JSON on standard output the table goes beside it.
     std::FILE* const told = options.json == "-" ? stderr : stdout;
     printSummary(results, told);

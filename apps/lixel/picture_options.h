@@ -53,7 +53,8 @@ Shooting prepare(const PictureOptions& options, bool takeAll);
 View viewOf(const Shooting& shooting, const Shot& shot);
 Vec3d originOf(const Shooting& shooting, const Shot& shot); // what floats are counted from, World
 
-// What the scene's file has and we leave out, on standard error: a few lines, told once nothing can be wrong with the options.
+// What the scene's file has and we leave out, in a few lines on standard error. For the end of the work: what fails says one
+// line only.
 void tellWarnings(const Scene& scene);
 
 } // namespace lixel::app

@@ -178,7 +178,6 @@ int runRender(const RenderOptions& options)
     checkOptions(options);
     const Shooting shooting = prepare(options.picture, false);
     const auto executor = makeExecutor(options.executor);
-    tellWarnings(*shooting.scene);
     Progress progress("render", 4);
     progress.step("scene");
     const Shot& shot = shooting.shots.front();
@@ -198,6 +197,7 @@ int runRender(const RenderOptions& options)
         for (std::size_t i = 0; i < shot.lights.size(); ++i) addLight(channels, picture, i, options);
         channels.write(options.exr);
     }
+    tellWarnings(*shooting.scene);
     return kDone;
 }
 

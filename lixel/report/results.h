@@ -82,7 +82,7 @@ struct Measurement
 
 struct Refusal
 {
-    std::string reason;  // the name, e.g. "light_around_scene"
+    std::string reason;  // the name, e.g. "extent-not-in-hemisphere"
     std::string message; // one line for people
 };
 

@@ -224,10 +224,17 @@ TEST_F(Render, ACameraOfTheFileIsTakenByItsName)
     picture(scene, {"--view", "camera 1"});
 }
 
+TEST_F(Render, WhatAFileHasAndIsLeftOutIsTold)
+{
+    const CommandResult run = render(dataFile("strip_fan.gltf"), {"-o", "picture.png"});
+    EXPECT_EQ(run.err.substr(0, 13), "lixel: note: ");
+    EXPECT_NE(run.err.find("points and lines are left out"), std::string::npos);
+}
+
 TEST_F(Render, OddNamesAndOnePixelAreFine)
 {
     fs::create_directory(folder_.path() / "a b");
-    fs::copy_file(dataFolder() / "strip_fan.gltf", folder_.path() / "a b" / "ünï cödé.gltf");
+    fs::copy_file(dataFolder() / "shared_vertices.gltf", folder_.path() / "a b" / "ünï cödé.gltf");
     EXPECT_EQ(render("a b/ünï cödé.gltf", {"-o", "a b/picture 'ü'.png"}).err, "");
     EXPECT_EQ(readPng(folder_.path() / "a b" / "picture 'ü'.png").width(), kSide);
 

@@ -106,7 +106,7 @@ CommandResult runLixel(const std::vector<std::string>& arguments, const CommandO
         become(wordPointers.data(), environmentPointers.data(), folder.c_str(), out.descriptor(), err.descriptor());
     CommandResult result;
     await(process, options, result);
-    result.out = out.text();
+    if (options.printTo.empty()) result.out = out.text();
     result.err = err.text();
     return result;
 }

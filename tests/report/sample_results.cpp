@@ -147,7 +147,7 @@ RunResults makeRun(const fs::path& folder, int size)
               SampleTechnique{"focused", 0.31, 3.4}, SampleTechnique{"lispsm", 0.12, 3.6}})
             addRows(run, scene, technique, folder);
         ResultRow refused = rowOf(scene, "plane-optimal", "gl");
-        refused.outcome = Refusal{"no_plane", "plane-optimal needs a region with a plane: add planes(floor)"};
+        refused.outcome = Refusal{"no-plane", "plane-optimal needs a region with a plane: add planes(floor)"};
         run.rows.push_back(refused);
     }
     return run;

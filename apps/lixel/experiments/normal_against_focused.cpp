@@ -16,7 +16,7 @@
 namespace lixel::app {
 namespace {
 
-constexpr const char* kView = "eye-level";
+constexpr const char* kView = "among";
 constexpr LixelSize kPicture{750, 750}, kMap{400, 400};
 
 // Table 1: misclassified pixels, sums over 500 images.
