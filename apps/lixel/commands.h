@@ -9,7 +9,7 @@ class App;
 }
 
 // The commands of the command line. Each adds its options to `parent` and returns what runs when it was chosen; the returned
-// function gives an ExitCode or throws InputError, UsageError, OutputError, gl::GraphicsError, RefusedError.
+// function gives an exit code or throws InputError, UsageError, OutputError, gl::GraphicsError, RefusedError.
 namespace lixel::app {
 
 struct Command

@@ -5,16 +5,14 @@
 
 namespace lixel::app {
 
-// What the command line ends with.
-enum ExitCode {
-    kDone = 0,
-    kFailed = 1,
-    kBadUsage = 2,
-    kBadInput = 3,
-    kNoGraphics = 4,
-    kRefused = 5,
-    kInterrupted = 130,
-};
+// What the command line ends with: its exit codes.
+inline constexpr int kDone = 0;
+inline constexpr int kFailed = 1;
+inline constexpr int kBadUsage = 2;
+inline constexpr int kBadInput = 3;
+inline constexpr int kNoGraphics = 4;
+inline constexpr int kRefused = 5;
+inline constexpr int kInterrupted = 130;
 
 // Bad usage that only shows once the words are understood: an unknown view, a size of zero.
 class UsageError : public std::runtime_error

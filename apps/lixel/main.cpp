@@ -35,7 +35,7 @@ extern "C" void onInterrupt(int)
 }
 
 // One line, whatever names are in it. Standard error may be closed: then the code has to say it.
-int fail(ExitCode code, const std::string& message)
+int fail(int code, const std::string& message)
 {
     std::fputs(("lixel: " + oneLine(message) + "\n").c_str(), stderr);
     return code;

@@ -8,7 +8,7 @@
 
 namespace lixel {
 
-// The convex hull's corners, counter-clockwise, no three in line (Andrew's monotone chain, 1979). Sorts `points`; writes the
+// The convex hull's corners, counter-clockwise, no three in line but for rounding (Andrew's monotone chain, 1979). Sorts `points`; writes the
 // corners to `hull`, which needs room for one more than there are points, and returns how many: fewer than three where the
 // points lie on a line or are one.
 std::size_t convexHull(std::span<Vec2d> points, std::span<Vec2d> hull);

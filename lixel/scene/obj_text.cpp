@@ -16,7 +16,7 @@ namespace {
 constexpr double kMostCoordinate = 1e30;
 constexpr long long kMostIndex = 1'000'000'000;
 
-enum Kind { kPosition, kUv, kNormal, kKinds }; // in the order of a face's i/j/k
+constexpr std::size_t kPosition = 0, kUv = 1, kNormal = 2, kKinds = 3; // in the order of a face's i/j/k
 
 // Takes the next word off the front; empty at the end.
 std::string_view takeWord(std::string_view& line)
@@ -57,11 +57,11 @@ public:
     // Positive indices may point forward, so they are judged when all is known.
     void finish() const
     {
-        for (int kind = 0; kind < kKinds; ++kind) {
-            const Most& most = most_[std::size_t(kind)];
-            if (most.index > counts_[std::size_t(kind)])
+        for (std::size_t kind = 0; kind < kKinds; ++kind) {
+            const Most& most = most_[kind];
+            if (most.index > counts_[kind])
                 refuse(file_, fmt::format("line {}", most.line),
-                       fmt::format("expected indices up to {}, found {}", counts_[std::size_t(kind)], most.index));
+                       fmt::format("expected indices up to {}, found {}", counts_[kind], most.index));
         }
     }
 
@@ -79,7 +79,7 @@ private:
         refuse(file_, fmt::format("line {}", number_), expected);
     }
 
-    void countNumbers(std::string_view line, Kind kind, int least)
+    void countNumbers(std::string_view line, std::size_t kind, int least)
     {
         int found = 0;
         for (std::string_view word = takeWord(line); !word.empty() && !word.starts_with('#'); word = takeWord(line)) {

@@ -42,6 +42,16 @@ void addFloorSample(ViewSamples& samples, const LocalTriangles& casters, Vec3d p
     test::addSample(samples, casters, std::abs(turns) == 3 ? 0 : 1, pointLocal, {0, 1, 0});
 }
 
+// How far a place of the light image is from the image of the segment middle +- half, the larger of both axes.
+double lixelsFromLine(const LightImage& image, Vec2d lixel, Vec3d middle, Vec3d half)
+{
+    double least = INFINITY;
+    for (int i = 0; i <= 1000; ++i)
+        if (const auto on = image.lixelAt(middle + (0.002 * i - 1) * half))
+            least = std::min(least, std::max(std::abs(on->x - lixel.x), std::abs(on->y - lixel.y)));
+    return least;
+}
+
 TEST(Contact, NoGapBetweenABoxAndItsShadowIsWiderThanOneLixel)
 {
     int asked = 0;
@@ -83,13 +93,17 @@ TEST(Contact, NoGapBetweenABoxAndItsShadowIsWiderThanOneLixel)
             const double step = rng.logUniform(1e-3, 0.3) * s.scale;
             const auto to = image.lixelAt(contact + step * outward);
             if (!from || !to) continue;
-            const double lixels = std::max(std::abs(to->x - from->x), std::abs(to->y - from->y));
-            const double distance = step * (wanted + 0.01) / lixels;
+            const Vec3d alongEdge = alongX ? Vec3d{0, 0, s.half.z} : Vec3d{s.half.x, 0, 0};
+            const Vec3d edgeMiddle = contact - dot(contact, normalized(alongEdge)) * normalized(alongEdge);
+            const double lixels = lixelsFromLine(image, {to->x, to->y}, edgeMiddle, alongEdge);
+            const double distance = step * (wanted + 0.05) / lixels;
             const Vec3d receiver = contact + distance * outward;
-            if (!(lixels > 0) || std::abs(receiver.x) > 1.9 * s.scale || std::abs(receiver.z) > 1.9 * s.scale) continue;
+            if (!(lixels > 0) || std::isinf(lixels) || std::abs(receiver.x) > 1.9 * s.scale ||
+                std::abs(receiver.z) > 1.9 * s.scale)
+                continue;
             // Every lixel that the taps may touch is in the box's shadow: no other border of it is near.
             const auto middle = image.lixelAt(receiver);
-            if (!middle) continue;
+            if (!middle || lixelsFromLine(image, {middle->x, middle->y}, edgeMiddle, alongEdge) < wanted) continue;
             ViewSamples probe;
             for (int corner = 0; corner < 9; ++corner) {
                 const double reach = 0.5 * side + 0.5;
