@@ -54,7 +54,7 @@ public:
 
 private:
     std::span<const std::byte> splitGlb(std::span<const std::byte> bytes);
-    void parseJson(std::span<const std::byte> text);
+    void parseJson(std::span<const std::byte> bytes);
     void checkVersionAndExtensions() const;
     void loadBuffers();
     void loadViews();

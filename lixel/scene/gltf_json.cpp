@@ -98,10 +98,10 @@ int JsonAt::indexOr(const char* key, std::size_t count, const char* what) const
     return member ? member->index(count, what) : -1;
 }
 
-std::string JsonAt::textOr(const char* key, std::string standard) const
+std::string JsonAt::textOr(const char* key, const std::string& standard) const
 {
     const auto member = find(key);
-    return member ? member->text() : std::move(standard);
+    return member ? member->text() : standard;
 }
 
 } // namespace lixel::gltf

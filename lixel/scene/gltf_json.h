@@ -57,7 +57,7 @@ public:
                     double most = kMostCoordinate) const;
     std::size_t integerOr(const char* key, std::size_t standard, std::size_t least, std::size_t most) const;
     int indexOr(const char* key, std::size_t count, const char* what) const; // -1 where there is none
-    std::string textOr(const char* key, std::string standard) const;
+    std::string textOr(const char* key, const std::string& standard) const;
 
 private:
     const nlohmann::json* value_;

@@ -15,8 +15,8 @@ namespace lixel::builtin {
 // (seams, poles) share their normal. uv = (u, v) * uvScale.
 Mesh surface(const std::function<Vec3d(double u, double v)>& f, int columns, int rows, Vec2d uvScale = {1, 1});
 
-// Flat faces; uv in metres, divided by `metresPerRepeat`.
-Mesh box(Vec3d min, Vec3d max, double metresPerRepeat = 1);
+// Flat faces, from the corner `a` of the least coordinates to its opposite `b`; uv in metres over `metresPerRepeat`.
+Mesh box(Vec3d a, Vec3d b, double metresPerRepeat = 1);
 Mesh boxAround(Vec3d centre, Vec3d size, double metresPerRepeat = 1);
 
 // Turns a profile of (radius, height) about the Y axis. Profiles run with their solid on the left of (r, y), that is
