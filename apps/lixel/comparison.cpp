@@ -205,8 +205,8 @@ std::vector<Visibility> withoutMap(const ShotContext& context, const Technique& 
 std::vector<ResultRow> rowsOfAll(const ShotContext& context, std::span<const std::unique_ptr<Executor>> executors,
                                  const TechniqueChoice& choice, const std::function<void(std::string_view)>& onStep)
 {
-    const auto plan =
-        planFor(choice.technique, context.stage, context.view, context.shot.lights, context.options.lixels);
+    const auto plan = planFor(choice.technique, context.stage, context.view, context.shot.lights,
+                              context.options.lixels, context.samples);
     std::vector<ResultRow> rows;
     std::vector<std::vector<Visibility>> visibility;
     for (const auto& executor : executors) {

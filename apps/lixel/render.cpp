@@ -57,7 +57,7 @@ void expectPlanned(const FramePlan& plan, const TechniqueChoice& choice, std::sp
 void addShadows(Picture& picture, Executor& executor, const TechniqueChoice& choice, LixelSize lixels)
 {
     const auto& lights = picture.shot.lights;
-    picture.plan = planFor(choice.technique, picture.stage, picture.view, lights, lixels);
+    picture.plan = planFor(choice.technique, picture.stage, picture.view, lights, lixels, picture.samples);
     if (!picture.plan) {
         picture.visibility = visibilityByRays(choice.technique, picture.stage, picture.view, picture.samples, lights);
         return;

@@ -11,9 +11,9 @@
 // From a technique to visibility: by a plan, which executors run, or by rays.
 namespace lixel::app {
 
-// The plan of a technique with a map, for all lights; nothing for the others.
+// The plan of a technique with a map, for all lights; nothing for the others. `seen` is what the view sees.
 std::optional<FramePlan> planFor(const Technique& technique, const Stage& stage, const View& view,
-                                 std::span<const Light> lights, LixelSize lixels);
+                                 std::span<const Light> lights, LixelSize lixels, const ViewSamples& seen);
 
 // What a technique without a map says, one a light. It is the same for all executors.
 std::vector<Visibility> visibilityByRays(const Technique& technique, const Stage& stage, const View& view,
@@ -29,7 +29,12 @@ public:
 private:
     const View& view_;
     Vec3d originWorld_;
-    std::vector<LightImage> images_;
+    struct Served
+    {
+        LightImage image;
+        CellPlanes halfSpacesLocal;
+    };
+    std::vector<Served> served_;
 };
 
 } // namespace lixel::app

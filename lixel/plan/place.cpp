@@ -2,10 +2,24 @@
 #include "lixel/plan/place.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lixel {
 
-Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout& lookup)
+namespace {
+
+// Moves a parallel map along one axis, by half a lixel at most, so that the world's origin lies on a border of lixels.
+void snapRow(Mat4d& clip, int row, int lixels, Vec3d originWorld)
+{
+    Vec4d r = clip.row(row);
+    const double ofWorldOrigin = 0.5 * lixels * (1 + dot(r, point(-originWorld)));
+    r.w += 2.0 / lixels * (std::round(ofWorldOrigin) - ofWorldOrigin);
+    clip.setRow(row, r);
+}
+
+} // namespace
+
+Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout& lookup, Vec3d originWorld)
 {
     Mat4d clip = fit.lightClipFromLocal;
     // Row x is 1 / half size along x (points: of the light plane), so the larger side has the smaller row.
@@ -16,9 +30,14 @@ Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout&
         clip.setRow(0, clip.row(1));
         clip.setRow(1, -1.0 * x); // a turn, not a mirror
     }
-    const auto shrink = [&lookup](int lixels) { return std::max(1 - 2 * lookup.reach / lixels, 1.0 / lixels); };
+    const double reach = lookup.reach + (fit.snapsToWorld ? 0.5 : 0.0);
+    const auto shrink = [reach](int lixels) { return std::max(1 - 2 * reach / lixels, 1.0 / lixels); };
     clip.setRow(0, shrink(rectangle.width()) * clip.row(0));
     clip.setRow(1, shrink(rectangle.height()) * clip.row(1));
+    if (fit.snapsToWorld) {
+        snapRow(clip, 0, rectangle.width(), originWorld);
+        snapRow(clip, 1, rectangle.height(), originWorld);
+    }
     return clip;
 }
 

@@ -3,6 +3,8 @@
 
 #include "lixel/base/light.h"
 #include "lixel/base/view.h"
+#include "lixel/base/view_samples.h"
+#include "lixel/plan/allocate.h"
 #include "lixel/plan/fit/fit.h"
 #include "lixel/plan/light_image.h"
 #include "lixel/plan/lookup/lookup.h"
@@ -17,11 +19,17 @@
 // From a view, lights and bounds to everything an executor needs. Pure: no I/O, no state, no exceptions.
 namespace lixel {
 
-// Lixels a light may use in a frame. One size is a total; with several they are the maps themselves.
-struct LixelSize
+// Another engine's map: scored as it is, with neither crop nor guard band.
+struct GivenRegion
 {
-    int width = 0, height = 0;
-    friend bool operator==(const LixelSize&, const LixelSize&) = default;
+    Mat4d lightClipFromWorld;                // lixel's convention (fromHost)
+    std::optional<LixelRectangle> rectangle; // of its layer; plan(file) has them
+    CellPlanes halfSpacesWorld;
+};
+struct GivenLight
+{
+    std::string light; // its name; empty: any
+    std::vector<GivenRegion> regions;
 };
 
 struct PlanInput
@@ -32,6 +40,11 @@ struct PlanInput
     Vec3d originWorld;                     // what floats are counted from; near the eye
     MapTechnique technique;
     LixelSize lixels; // the budget of each light
+    // What the view sees, for techniques made from it (needsViewSamples) and to predict errors by; same originWorld. Receivers
+    // that are not in the list may lie outside maps made from it.
+    const ViewSamples* seen = nullptr;
+    std::span<const LixelSize> lixelsOfRegions = {}; // in the order of regions, in place of `lixels`, where not empty
+    std::span<const GivenLight> given = {};          // for matrix(file) and plan(file)
 };
 
 // One map: a region's projection and its place.
@@ -39,6 +52,7 @@ struct PlannedRegion
 {
     Mat4d lightClipFromLocal; // lixel's convention; its NDC square is the whole rectangle
     LixelRectangle rectangle;
+    CellPlanes halfSpacesLocal = {}; // what it asks of receivers that regions before it do not serve
 };
 
 // What was decided for one light.

@@ -2,7 +2,6 @@
 #include "lixel/plan/technique.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -11,22 +10,6 @@
 
 namespace lixel {
 namespace {
-
-constexpr std::array<TechniqueWord, 7> kWords{{
-    {"partition", "whole", "one region: all of space", "", "all", ""},
-    {"fit", "uniform", "the whole scene, whatever the view sees (the papers' \"normal\" map)", "Williams 1978",
-     "directional, spot, point", "extent-not-in-hemisphere"},
-    {"fit", "focused",
-     "view frustum, scene bounds and the light's cone clipped against each other, in the rectangle of least area",
-     "Brabec, Annen, Seidel 2002; Chong, Gortler 2007 (Focused)", "directional, spot, point",
-     "extent-not-in-hemisphere, nothing-in-view"},
-    {"store", "depths(n)", "n depths a lixel; n = 1", "Williams 1978", "all", ""},
-    {"kernel", "pcf(k)", "k = 1, 4, 9, 16, 25 taps one lixel apart, results averaged", "Reeves, Salesin, Cook 1987",
-     "all", ""},
-    {"no map", "exact", "a ray for every view sample, decided in double precision", "", "all", ""},
-    {"no map", "exact-area(n)", "share of the pixel's area that is lit; n = 1, 4, ..., 1024 rays a pixel", "", "all",
-     ""},
-}};
 
 // One word with its arguments, as typed.
 struct Word
@@ -89,23 +72,62 @@ std::optional<int> readInteger(std::string_view text)
     return value;
 }
 
-// `n = 4` and `4` alike; the only argument of the word, or its default where there is none.
+std::optional<double> readNumber(std::string_view text)
+{
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+// The arguments of a word, taken one by one; what is left over is wrong.
+class Arguments
+{
+public:
+    explicit Arguments(const Word& word) : left_(word.arguments) {}
+
+    // `key = value`, and the value alone where it may stand without its key.
+    std::optional<std::string_view> take(std::string_view key, bool mayStandAlone = false)
+    {
+        for (std::size_t i = 0; i < left_.size(); ++i) {
+            const std::size_t equals = left_[i].find('=');
+            const bool isNamed = equals != std::string_view::npos && trimmed(left_[i].substr(0, equals)) == key;
+            const bool isAlone = mayStandAlone && equals == std::string_view::npos && i == 0;
+            if (!isNamed && !isAlone) continue;
+            const std::string_view value = isNamed ? trimmed(left_[i].substr(equals + 1)) : left_[i];
+            left_.erase(left_.begin() + std::ptrdiff_t(i));
+            return value;
+        }
+        return std::nullopt;
+    }
+    bool takeFlag(std::string_view name)
+    {
+        const auto found = std::find(left_.begin(), left_.end(), name);
+        if (found == left_.end()) return false;
+        left_.erase(found);
+        return true;
+    }
+    bool areAllTaken() const { return left_.empty(); }
+
+private:
+    std::vector<std::string_view> left_;
+};
+
+// The only argument of a word, `n = 4` and `4` alike, or its default where there is none.
 std::optional<int> onlyInteger(const Word& word, std::string_view key, int standard)
 {
     if (word.arguments.empty()) return standard;
-    if (word.arguments.size() > 1) return std::nullopt;
-    std::string_view text = word.arguments.front();
-    if (const std::size_t equals = text.find('='); equals != std::string_view::npos) {
-        if (trimmed(text.substr(0, equals)) != key) return std::nullopt;
-        text = trimmed(text.substr(equals + 1));
-    }
-    return readInteger(text);
+    Arguments arguments(word);
+    const auto text = arguments.take(key, true);
+    if (!text || !arguments.areAllTaken()) return std::nullopt;
+    return readInteger(*text);
 }
 
 std::string knownWords()
 {
     std::string names;
-    for (const TechniqueWord& word : kWords) names += (names.empty() ? "" : ", ") + std::string(word.form);
+    for (const TechniqueWord& word : techniqueWords())
+        names += (names.empty() ? "" : ", ") + std::string(word.form.substr(0, word.form.find_first_of("(=")));
     return names;
 }
 
@@ -120,11 +142,14 @@ struct Parts
 {
     std::optional<Partition> partition;
     std::optional<FitChoice> fit;
+    bool isStable = false;
+    std::optional<Allocation> allocation;
+    std::optional<Fallback> otherwise;
     std::optional<Store> store;
     std::optional<Kernel> kernel;
     std::optional<Technique> noMap;
 
-    bool anyOfMap() const { return partition || fit || store || kernel; }
+    bool anyOfMap() const { return partition || fit || isStable || allocation || otherwise || store || kernel; }
 };
 
 template <typename Slot, typename Value>
@@ -135,17 +160,69 @@ std::string setOnce(Slot& slot, const Value& value, std::string_view kind)
     return "";
 }
 
-// An empty string, or what is wrong with the word.
-std::string take(const Word& word, Parts& parts)
+// Each of these reads one kind of word: an empty string, what is wrong with it, or nothing where it is another kind's.
+using Answer = std::optional<std::string>;
+
+Answer takePartition(const Word& word, Parts& parts)
 {
-    const auto plain = [&](auto& slot, auto value, std::string_view kind) -> std::string {
-        if (!word.arguments.empty()) return fmt::format("\"{}\" takes no arguments", word.name);
-        return setOnce(slot, value, kind);
-    };
-    if (word.name == "whole") return plain(parts.partition, WholePartition{}, "partition");
-    if (word.name == "uniform") return plain(parts.fit, UniformFit{}, "fit");
-    if (word.name == "focused") return plain(parts.fit, FocusedFit{}, "fit");
-    if (word.name == "exact") return plain(parts.noMap, Technique(ExactTechnique{}), "technique without a map");
+    Arguments arguments(word);
+    if (word.name == "whole" || word.name == "cube") {
+        if (!arguments.areAllTaken()) return fmt::format("\"{}\" takes no arguments", word.name);
+        if (word.name == "whole") return setOnce(parts.partition, Partition(WholePartition{}), "partition");
+        return setOnce(parts.partition, Partition(CubePartition{}), "partition");
+    }
+    if (word.name != "pssm" && word.name != "sdsm") return std::nullopt;
+    parts.isStable |= arguments.takeFlag("stable");
+    const auto countText = arguments.take("n", true);
+    const auto count = countText ? readInteger(*countText) : std::optional(4);
+    if (!count || *count < 1 || *count > 16) return fmt::format("{}(n) takes n = 1 to 16", word.name);
+    if (word.name == "sdsm") {
+        if (!arguments.areAllTaken()) return "sdsm takes a number of regions and stable";
+        return setOnce(parts.partition, Partition(SdsmPartition{*count}), "partition");
+    }
+    const auto lambdaText = arguments.take("lambda");
+    const auto lambda = lambdaText ? readNumber(*lambdaText) : std::optional(0.5);
+    if (!lambda || *lambda < 0 || *lambda > 1) return "pssm takes lambda = 0 to 1";
+    if (!arguments.areAllTaken()) return "pssm takes a number of regions, lambda = 0 to 1 and stable";
+    return setOnce(parts.partition, Partition(PssmPartition{*count, *lambda}), "partition");
+}
+
+Answer takeFit(const Word& word, Parts& parts)
+{
+    Arguments arguments(word);
+    std::optional<FitChoice> fit;
+    if (word.name == "uniform") fit = UniformFit{};
+    if (word.name == "focused") fit = FocusedFit{};
+    if (word.name == "minimal-frustum") fit = MinimalFrustumFit{};
+    if (word.name == "lispsm") fit = LispsmFit{};
+    if (word.name == "desired-view") fit = DesiredViewFit{arguments.takeFlag("rotated")};
+    if (word.name == "psm") {
+        const std::string_view shift = arguments.take("shift").value_or("casters");
+        if (shift != "casters" && shift != "none") return "psm takes shift=casters or shift=none";
+        fit = PsmFit{shift == "none" ? PsmShift::None : PsmShift::Casters};
+    }
+    if (word.name == "tsm") {
+        TsmFit tsm;
+        if (const auto focus = arguments.take("focus")) {
+            tsm.focusDepth = readNumber(*focus);
+            if (!tsm.focusDepth || !(*tsm.focusDepth > 0)) return "tsm takes focus = a depth above 0";
+        }
+        fit = tsm;
+    }
+    if (word.name == "matrix" || word.name == "plan") {
+        const auto file = arguments.take("file", true);
+        if (!file || file->empty()) return fmt::format("{}(file) needs a file", word.name);
+        if (word.name == "matrix") fit = MatrixFit{std::string(*file)};
+        else fit = PlanFit{std::string(*file)};
+    }
+    if (!fit) return std::nullopt;
+    if (word.name == "focused" || word.name == "lispsm") parts.isStable |= arguments.takeFlag("stable");
+    if (!arguments.areAllTaken()) return fmt::format("\"{}\" does not take these arguments", word.name);
+    return setOnce(parts.fit, *fit, "fit");
+}
+
+Answer takeLookup(const Word& word, Parts& parts)
+{
     if (word.name == "depths") {
         const auto n = onlyInteger(word, "n", 1);
         if (!n || *n != 1) return "depths(n) takes n = 1";
@@ -156,25 +233,130 @@ std::string take(const Word& word, Parts& parts)
         if (!k || !isSquare(*k) || *k < 1 || *k > 25) return "pcf(k) takes k = 1, 4, 9, 16 or 25";
         return setOnce(parts.kernel, PcfKernel{*k}, "kernel");
     }
+    return std::nullopt;
+}
+
+Answer takeNoMap(const Word& word, Parts& parts)
+{
+    if (word.name == "exact") {
+        if (!word.arguments.empty()) return "\"exact\" takes no arguments";
+        return setOnce(parts.noMap, Technique(ExactTechnique{}), "technique without a map");
+    }
     if (word.name == "exact-area") {
         const auto n = onlyInteger(word, "n", 64);
         if (!n || *n < 1 || *n > 1024 || !isSquare(*n)) return "exact-area(n) takes a square number n from 1 to 1024";
         return setOnce(parts.noMap, Technique(ExactAreaTechnique{*n}), "technique without a map");
     }
+    return std::nullopt;
+}
+
+Answer takeAllocation(const Word& word, Parts& parts)
+{
+    if (!word.arguments.empty() || !word.name.starts_with("allocation")) return std::nullopt;
+    const std::size_t equals = word.name.find('=');
+    if (equals == std::string_view::npos || trimmed(word.name.substr(0, equals)) != "allocation") return std::nullopt;
+    const std::string_view value = trimmed(word.name.substr(equals + 1));
+    if (value == "need") return setOnce(parts.allocation, Allocation::Need, "allocation");
+    if (value == "share") return setOnce(parts.allocation, Allocation::Share, "allocation");
+    return "allocation= takes need or share";
+}
+
+FitChoice fitOr(const Parts& parts)
+{
+    if (parts.fit) return *parts.fit;
+    if (parts.partition && std::holds_alternative<SdsmPartition>(*parts.partition)) return DesiredViewFit{};
+    return FocusedFit{};
+}
+
+bool isGiven(const FitChoice& fit)
+{
+    return std::holds_alternative<MatrixFit>(fit) || std::holds_alternative<PlanFit>(fit);
+}
+
+// A partition and a fit, and nothing else.
+Answer takeElse(const Word& word, Parts& parts)
+{
+    if (word.name != "else") return std::nullopt;
+    if (word.arguments.size() != 1) return "else(...) takes a fit, or a partition and a fit joined by +";
+    const auto pieces = split(word.arguments.front(), '+');
+    Parts inside;
+    for (const std::string_view piece : pieces.value_or(std::vector<std::string_view>{})) {
+        const auto part = readWord(piece);
+        if (!part) return fmt::format("\"{}\" is not of the form word(value, ...)", piece);
+        Answer answer = takePartition(*part, inside);
+        if (!answer) answer = takeFit(*part, inside);
+        if (!answer) return fmt::format("else(...) takes a partition and a fit, not \"{}\"", piece);
+        if (!answer->empty()) return answer;
+    }
+    if (inside.isStable) return "stable stands outside else(...) and is the whole technique's";
+    const Fallback fallback{inside.partition.value_or(WholePartition{}), fitOr(inside)};
+    if (isGiven(fallback.fit)) return "else(...) takes no matrix(file) and no plan(file)";
+    return setOnce(parts.otherwise, fallback, "else(...)");
+}
+
+// An empty string, or what is wrong with the word.
+std::string take(const Word& word, Parts& parts)
+{
+    for (const auto reader : {takePartition, takeFit, takeLookup, takeNoMap, takeAllocation, takeElse})
+        if (const Answer answer = reader(word, parts)) return *answer;
     return fmt::format("\"{}\" is not known; known are {}", word.name, knownWords());
 }
 
+// What goes together, one line each; empty, or what does not.
+std::string checkTogether(const MapTechnique& map, const Parts& parts)
+{
+    const bool isWhole = std::holds_alternative<WholePartition>(map.partition);
+    const bool canBeStable = std::holds_alternative<FocusedFit>(map.fit) ||
+                             std::holds_alternative<LispsmFit>(map.fit) ||
+                             std::holds_alternative<SdsmPartition>(map.partition);
+    if (map.isStable && !canBeStable) return "stable goes with focused and lispsm";
+    if (isGiven(map.fit) && !isWhole)
+        return "matrix(file) and plan(file) have their own regions: no partition goes with them";
+    if (parts.allocation && isWhole && !map.otherwise) return "allocation= needs more than one region";
+    if (parts.allocation && std::holds_alternative<PlanFit>(map.fit)) return "plan(file) has its own rectangles";
+    return "";
+}
+
 std::string name(const WholePartition&) { return "whole"; }
+std::string name(const CubePartition&) { return "cube"; }
+std::string name(const PssmPartition& pssm) { return fmt::format("pssm({},lambda={})", pssm.count, pssm.lambda); }
+std::string name(const SdsmPartition& sdsm) { return fmt::format("sdsm({})", sdsm.count); }
 std::string name(const UniformFit&) { return "uniform"; }
 std::string name(const FocusedFit&) { return "focused"; }
+std::string name(const DesiredViewFit& fit) { return fit.isRotated ? "desired-view(rotated)" : "desired-view"; }
+std::string name(const MinimalFrustumFit&) { return "minimal-frustum"; }
+std::string name(const PsmFit& fit) { return fit.shift == PsmShift::None ? "psm(shift=none)" : "psm(shift=casters)"; }
+std::string name(const TsmFit& fit)
+{
+    return fit.focusDepth ? fmt::format("tsm(focus={})", *fit.focusDepth) : std::string("tsm");
+}
+std::string name(const LispsmFit&) { return "lispsm"; }
+std::string name(const MatrixFit& fit) { return fmt::format("matrix({})", fit.file); }
+std::string name(const PlanFit& fit) { return fmt::format("plan({})", fit.file); }
 std::string name(const DepthStore& store) { return fmt::format("depths({})", store.depths); }
 std::string name(const PcfKernel& kernel) { return fmt::format("pcf({})", kernel.taps); }
 std::string name(const ExactTechnique&) { return "exact"; }
 std::string name(const ExactAreaTechnique& area) { return fmt::format("exact-area({})", area.samples); }
+
+template <typename... Choices>
+std::string nameOfChoice(const std::variant<Choices...>& choice)
+{
+    return std::visit([](const auto& c) { return name(c); }, choice);
+}
+
+// `stable` is written with the fit, or with sdsm where the fit does not take it.
 std::string name(const MapTechnique& map)
 {
-    const auto nameOf = [](const auto& choice) { return std::visit([](const auto& c) { return name(c); }, choice); };
-    return nameOf(map.partition) + "+" + nameOf(map.fit) + "+" + nameOf(map.store) + "+" + nameOf(map.kernel);
+    std::string partition = nameOfChoice(map.partition), fit = nameOfChoice(map.fit);
+    const bool takesStable = std::holds_alternative<FocusedFit>(map.fit) || std::holds_alternative<LispsmFit>(map.fit);
+    if (map.isStable && takesStable) fit += "(stable)";
+    if (map.isStable && !takesStable) partition.insert(partition.size() - 1, ",stable");
+    std::string text = partition + "+" + fit;
+    if (map.otherwise)
+        text += "+else(" + nameOfChoice(map.otherwise->partition) + "+" + nameOfChoice(map.otherwise->fit) + ")";
+    if (map.otherwise || !std::holds_alternative<WholePartition>(map.partition))
+        text += map.allocation == Allocation::Need ? "+allocation=need" : "+allocation=share";
+    return text + "+" + nameOfChoice(map.store) + "+" + nameOfChoice(map.kernel);
 }
 
 } // namespace
@@ -196,11 +378,24 @@ Expected<Technique, std::string> parseTechnique(std::string_view text)
     if (parts.noMap && parts.anyOfMap()) return fail("a technique without a map stands alone");
     if (parts.noMap) return *parts.noMap;
     MapTechnique technique;
-    if (parts.partition) technique.partition = *parts.partition;
-    if (parts.fit) technique.fit = *parts.fit;
+    technique.partition = parts.partition.value_or(WholePartition{});
+    technique.fit = fitOr(parts);
+    technique.isStable = parts.isStable;
+    technique.allocation = parts.allocation.value_or(Allocation::Need);
+    technique.otherwise = parts.otherwise;
     if (parts.store) technique.store = *parts.store;
     if (parts.kernel) technique.kernel = *parts.kernel;
+    if (const std::string wrong = checkTogether(technique, parts); !wrong.empty()) return fail(wrong);
     return Technique(technique);
+}
+
+bool needsViewSamples(const MapTechnique& technique)
+{
+    const auto isMadeOfThem = [](const Partition& partition, const FitChoice& fit) {
+        return std::holds_alternative<SdsmPartition>(partition) || std::holds_alternative<DesiredViewFit>(fit);
+    };
+    return isMadeOfThem(technique.partition, technique.fit) ||
+           (technique.otherwise && isMadeOfThem(technique.otherwise->partition, technique.otherwise->fit));
 }
 
 std::string toString(const Technique& technique)
@@ -219,7 +414,5 @@ Expected<std::vector<std::string>, std::string> splitTechniques(std::string_view
     }
     return out;
 }
-
-std::span<const TechniqueWord> techniqueWords() { return kWords; }
 
 } // namespace lixel

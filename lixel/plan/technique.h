@@ -2,7 +2,9 @@
 #pragma once
 
 #include "lixel/base/expected.h"
+#include "lixel/plan/fit/psm.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,7 +15,8 @@
 //
 //   word(value, key=value, ...) joined by +, order free; word:a:b means word(a,b)
 //
-// Parts left out take their default: whole + focused + depths(1) + pcf(1).
+// Parts left out take their default: whole + focused + depths(1) + pcf(1); sdsm(n) goes with desired-view. `stable` stands
+// among the arguments of a partition or fit and is the technique's: pssm(4,stable) is pssm(4)+focused(stable).
 namespace lixel {
 
 // Partitions.
@@ -21,7 +24,22 @@ struct WholePartition
 {
     friend bool operator==(const WholePartition&, const WholePartition&) = default;
 };
-using Partition = std::variant<WholePartition>;
+struct PssmPartition
+{
+    int count = 4;       // 1 to 16
+    double lambda = 0.5; // 1: logarithmic, 0: even
+    friend bool operator==(const PssmPartition&, const PssmPartition&) = default;
+};
+struct SdsmPartition
+{
+    int count = 4;
+    friend bool operator==(const SdsmPartition&, const SdsmPartition&) = default;
+};
+struct CubePartition
+{
+    friend bool operator==(const CubePartition&, const CubePartition&) = default;
+};
+using Partition = std::variant<WholePartition, PssmPartition, SdsmPartition, CubePartition>;
 
 // Fits.
 struct UniformFit
@@ -32,7 +50,48 @@ struct FocusedFit
 {
     friend bool operator==(const FocusedFit&, const FocusedFit&) = default;
 };
-using FitChoice = std::variant<UniformFit, FocusedFit>;
+struct DesiredViewFit
+{
+    bool isRotated = false;
+    friend bool operator==(const DesiredViewFit&, const DesiredViewFit&) = default;
+};
+struct MinimalFrustumFit
+{
+    friend bool operator==(const MinimalFrustumFit&, const MinimalFrustumFit&) = default;
+};
+struct PsmFit
+{
+    PsmShift shift = PsmShift::Casters;
+    friend bool operator==(const PsmFit&, const PsmFit&) = default;
+};
+struct TsmFit
+{
+    std::optional<double> focusDepth; // world units from the eye
+    friend bool operator==(const TsmFit&, const TsmFit&) = default;
+};
+struct LispsmFit
+{
+    friend bool operator==(const LispsmFit&, const LispsmFit&) = default;
+};
+// What another engine chose: one matrix a light, or regions with their rectangles. PlanInput::given has what the file says.
+struct MatrixFit
+{
+    std::string file;
+    friend bool operator==(const MatrixFit&, const MatrixFit&) = default;
+};
+struct PlanFit
+{
+    std::string file;
+    friend bool operator==(const PlanFit&, const PlanFit&) = default;
+};
+using FitChoice = std::variant<UniformFit, FocusedFit, DesiredViewFit, MinimalFrustumFit, PsmFit, TsmFit, LispsmFit,
+                               MatrixFit, PlanFit>;
+
+// How the regions of a light share its lixels.
+enum class Allocation {
+    Need, // so that the predicted error of all is least; evenly where there are no view samples to predict from
+    Share // evenly
+};
 
 // Stores and kernels.
 struct DepthStore
@@ -48,15 +107,29 @@ struct PcfKernel
 using Store = std::variant<DepthStore>;
 using Kernel = std::variant<PcfKernel>;
 
+// What serves receivers that fall out of all regions.
+struct Fallback
+{
+    Partition partition = WholePartition{};
+    FitChoice fit = FocusedFit{};
+    friend bool operator==(const Fallback&, const Fallback&) = default;
+};
+
 // A technique with a map.
 struct MapTechnique
 {
     Partition partition = WholePartition{};
     FitChoice fit = FocusedFit{};
+    bool isStable = false; // maps do not crawl as the camera moves
+    Allocation allocation = Allocation::Need;
+    std::optional<Fallback> otherwise = {};
     Store store = DepthStore{};
     Kernel kernel = PcfKernel{};
     friend bool operator==(const MapTechnique&, const MapTechnique&) = default;
 };
+
+// Whether plans of it are made from view samples, and need PlanInput::seen.
+bool needsViewSamples(const MapTechnique& technique);
 
 // Techniques without one: a ray a view sample, or `samples` rays over the pixel's area.
 struct ExactTechnique

@@ -4,6 +4,7 @@
 #include "lixel/base/convex.h"
 #include "lixel/base/expected.h"
 #include "lixel/base/light.h"
+#include "lixel/base/rectangle.h"
 #include "lixel/base/view.h"
 
 #include <span>
@@ -13,11 +14,15 @@
 // What every fit takes and gives. A fit is the projection of one region: Local space to the light's NDC square and a depth.
 namespace lixel {
 
-// Why a fit says no. Reports show the name and the sentence.
+// Why a plan says no. Reports show the name and the sentence.
 enum class FitFailure {
     NothingInView,         // no part of the scene is in the view and in the light's reach: there is nothing to shadow
     ExtentNotInHemisphere, // what must be seen from the light does not fit one perspective map; `cube` is needed
     EmptyScene,            // there are no casters
+    NoViewSamples,         // the fit or partition is made from view samples, and none were given
+    LightInPicture, // the light lies in or beside what the picture shows: no one map of its image holds all of it
+    NotGiven,       // the file of matrix(file) or plan(file) has nothing for this light
+    TooFewLixels,   // the budget has less than one lixel for each region
 };
 std::string_view nameOf(FitFailure failure);
 std::string_view sentenceFor(FitFailure failure);
@@ -25,9 +30,18 @@ std::string_view sentenceFor(FitFailure failure);
 // Room that fits work in. The same one again and again allocates nothing after the first frames.
 struct FitScratch
 {
-    std::vector<Vec3d> points;
-    std::vector<Vec2d> onPlane, hull;
+    struct OnPlane
+    {
+        std::vector<Vec2d> points, hull;
+    };
+    std::vector<Vec3d> points, casterPoints;
+    OnPlane plane;
+    // View samples that face the light, then those of the region.
+    std::vector<Vec3d> seenLocal, seenNormal, seenInCellLocal, seenInCellNormal;
 };
+
+// Half-spaces of a region, Local, inside positive.
+using CellPlanes = FixedVector<Plane, 6>;
 
 struct FitInput
 {
@@ -37,6 +51,10 @@ struct FitInput
     std::span<const Box> casterBoxesWorld;
     Box sceneLocal; // of all casters and receivers
     FitScratch& scratch;
+    CellPlanes cellLocal{};                // receivers outside are not this region's; none: all of space
+    bool hasViewSamples = false;           // whether view samples were given at all ...
+    std::span<const Vec3d> seenLocal = {}; // ... and those of this region that face the light
+    bool isStable = false;                 // the map must not crawl as the camera moves
 };
 
 // Needs nothing of the map's size. lightClipFromLocal is in lixel's convention (clip_convention.h): receivers that matter
@@ -44,6 +62,7 @@ struct FitInput
 struct Fit
 {
     Mat4d lightClipFromLocal;
+    bool snapsToWorld = false; // parallel and of constant size: its lixels are to keep their places in the world
 };
 
 using FitResult = Expected<Fit, FitFailure>;

@@ -3,8 +3,6 @@
 
 #include "lixel/plan/fit/fit.h"
 
-#include <vector>
-
 namespace lixel {
 
 // The map spent only on what can be seen: the scene's boxes, each clipped by the view frustum and by the light's cone and
@@ -18,10 +16,7 @@ namespace lixel {
 //   Refuses  NothingInView; ExtentNotInHemisphere, when that surrounds a point light or nearly so; EmptyScene
 //   Differs  Brabec takes the upright rectangle and directional or spot lights only; points look along the axis of the
 //            narrowest cone. One box a mesh instead of one for the scene leaves out the empty space between them
+//   Stable   see stable.h
 FitResult fitFocused(const FitInput& input);
-
-// Corners of all that can be seen and lit, Local: what the map must hold is their convex hull. Empty where there is nothing.
-// For a light at a point, corners at the light itself are left out: they have no place in its image.
-void findVisiblePoints(const FitInput& input, std::vector<Vec3d>& points);
 
 } // namespace lixel

@@ -2,6 +2,9 @@
 #include "lixel/plan/fit/light_frame.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace lixel {
@@ -10,6 +13,9 @@ namespace {
 // Perspective maps start no nearer than this part of their far depth: reversed float depth keeps its relative precision down
 // to here while a triangle that spans the whole range is interpolated. Casters still nearer are clamped, which shadows alike.
 constexpr double kLeastNearPerFar = 1e-4;
+
+// A warp's horizon must stay clear of what is held: w changes by this factor at most.
+constexpr double kLeastRelativeW = 1e-6;
 
 // A rectangle has this size at least, against its distance from the light plane's origin: a map of one line or point is still a map.
 constexpr double kLeastRelativeHalfSize = 1e-9;
@@ -20,31 +26,41 @@ constexpr double kConeSlack = 1e-14;
 // A little room so that receivers on the very border stay inside after rounding to float.
 constexpr double kBorder = 1 + 1e-6;
 
-// Half-open tests do not matter here: a box that only touches is included.
-bool reachesInto(const LightFrame& frame, const OrientedRectangle& rectangle, const std::array<Vec4d, 8>& cornersFramed)
+// The linear function of a homogeneous row at a box: its middle value and how far it goes to both sides.
+struct Interval
 {
-    const Vec2d side{-rectangle.axis.y, rectangle.axis.x};
-    Vec2d low{1e300, 1e300}, high{-1e300, -1e300};
-    for (const Vec4d& q : cornersFramed) {
-        if (frame.isPerspective && q.w <= 0) return true; // beside or behind the light: its image is not bounded
-        const Vec2d p = Vec2d{q.x / q.w, q.y / q.w} - rectangle.centre;
-        low = {std::min(low.x, dot(rectangle.axis, p)), std::min(low.y, dot(side, p))};
-        high = {std::max(high.x, dot(rectangle.axis, p)), std::max(high.y, dot(side, p))};
-    }
-    return low.x <= rectangle.halfSize.x && high.x >= -rectangle.halfSize.x && low.y <= rectangle.halfSize.y &&
-           high.y >= -rectangle.halfSize.y;
+    double middle = 0, reach = 0;
+};
+
+Interval over(Vec4d row, Vec3d centre, Vec3d half)
+{
+    return {dot(row, point(centre)), std::abs(row.x) * half.x + std::abs(row.y) * half.y + std::abs(row.z) * half.z};
 }
 
+// The nearest depth of all boxes that reach into the pyramid (prism) of the rectangle; one that only touches is included.
 double nearestCaster(const LightFrame& frame, const OrientedRectangle& rectangle, const FitInput& input)
 {
+    const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3),
+                depth = frame.framedFromLocal.row(2);
+    const auto sides = [&](Vec2d axis, double half) {
+        const Vec4d along = axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w;
+        return std::array<Vec4d, 2>{half * w + along, half * w - along};
+    };
+    const std::array<Vec4d, 2> first = sides(rectangle.axis, rectangle.halfSize.x);
+    const std::array<Vec4d, 2> second = sides({-rectangle.axis.y, rectangle.axis.x}, rectangle.halfSize.y);
+    const std::array<Vec4d, 4> inside{first[0], first[1], second[0], second[1]};
+
     double nearest = std::numeric_limits<double>::infinity();
     for (const Box& boxWorld : input.casterBoxesWorld) {
         if (boxWorld.isEmpty()) continue;
-        std::array<Vec4d, 8> corners;
-        const auto cornersLocal = translated(boxWorld, -input.originWorld).corners();
-        for (std::size_t i = 0; i < 8; ++i) corners[i] = frame.framedFromLocal * point(cornersLocal[i]);
-        if (!reachesInto(frame, rectangle, corners)) continue;
-        for (const Vec4d& q : corners) nearest = std::min(nearest, q.z);
+        const Vec3d centre = boxWorld.centre() - input.originWorld, half = 0.5 * (boxWorld.max - boxWorld.min);
+        const bool isBeside = std::any_of(inside.begin(), inside.end(), [&](Vec4d side) {
+            const Interval value = over(side, centre, half);
+            return value.middle + value.reach < 0;
+        });
+        if (isBeside) continue;
+        const Interval depths = over(depth, centre, half);
+        nearest = std::min(nearest, depths.middle - depths.reach);
     }
     return nearest;
 }
@@ -100,15 +116,83 @@ DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal)
     return cone;
 }
 
+std::optional<LightFrame> warped(const LightFrame& frame, const PlaneWarp& warp, std::span<const Vec3d> points)
+{
+    const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
+    const auto along = [&](Vec3d row) { return row.x * x + row.y * y + row.z * w; };
+    LightFrame out = frame;
+    const Vec4d newW = along(warp.w);
+    out.framedFromLocal.setRow(0, along(warp.x));
+    out.framedFromLocal.setRow(1, along(warp.y));
+    out.framedFromLocal.setRow(3, newW);
+    if (frame.isPerspective) out.framedFromLocal.setRow(2, newW);
+    return held(out, points);
+}
+
+std::optional<LightFrame> held(LightFrame frame, std::span<const Vec3d> points)
+{
+    const Vec4d w = frame.framedFromLocal.row(3);
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (const Vec3d& p : points) {
+        const double value = dot(w, point(p));
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    if (!(least > kLeastRelativeW * most)) return std::nullopt;
+    frame.leastW = frame.isPerspective ? 1 : least;
+    return frame;
+}
+
+Expected<LightFrame, FitFailure> frameAround(const FitInput& input, std::span<const Vec3d> points)
+{
+    Vec3d axis = input.light.directionWorld;
+    if (input.light.kind != LightKind::Directional) {
+        const DirectionCone cone = coneAround(points, input.light.positionWorld - input.originWorld);
+        if (cone.cosHalfAngle < kLeastCosHalfAngle) return Unexpected{FitFailure::ExtentNotInHemisphere};
+        axis = cone.axis;
+    }
+    return lightFrame(input.light, input.originWorld, axis);
+}
+
+OrientedRectangle rectangleAround(const LightFrame& frame, std::span<const Vec3d> points, RectangleKind kind,
+                                  FitScratch& scratch)
+{
+    auto& [onPlane, hull] = scratch.plane;
+    onPlane.clear();
+    for (const Vec3d& p : points) onPlane.push_back(onLightPlane(frame, p));
+    if (kind == RectangleKind::Upright) return rectangleAlong(onPlane, {1, 0});
+    hull.resize(onPlane.size() + 1);
+    const std::size_t corners = convexHull(onPlane, hull);
+    return minimumAreaRectangle({hull.data(), corners});
+}
+
+double farthestDepth(const LightFrame& frame, std::span<const Vec3d> points)
+{
+    const Vec4d depth = frame.framedFromLocal.row(2);
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const Vec3d& p : points) farthest = std::max(farthest, dot(depth, point(p)));
+    return farthest;
+}
+
+Fit fitTightly(const LightFrame& frame, std::span<const Vec3d> points, RectangleKind kind, const FitInput& input)
+{
+    return fitRectangle(frame, rectangleAround(frame, points, kind, input.scratch), farthestDepth(frame, points),
+                        input);
+}
+
 Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double farDepth, const FitInput& input)
+{
+    return fitRectangle(frame, rectangle, nearestCaster(frame, rectangle, input), farDepth);
+}
+
+Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double nearDepth, double farDepth)
 {
     const double scale = length(rectangle.centre) + length(rectangle.halfSize);
     const double least = scale > 0 ? kLeastRelativeHalfSize * scale : kLeastRelativeHalfSize;
     rectangle.halfSize = {std::max(rectangle.halfSize.x * kBorder, least),
                           std::max(rectangle.halfSize.y * kBorder, least)};
 
-    const double nearest = nearestCaster(frame, rectangle, input);
-    double near = std::min(nearest, farDepth);
+    double near = std::min(nearDepth, farDepth);
     if (frame.isPerspective) near = std::max(near, kLeastNearPerFar * farDepth);
     const double room = std::max(1e-6 * (farDepth - near), 1e-9 * (std::abs(farDepth) + std::abs(near)));
     near -= frame.isPerspective ? std::min(room, 0.5 * near) : room;
@@ -120,10 +204,12 @@ Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double fa
     const auto along = [&](Vec2d axis, double half) {
         return (1 / half) * (axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w);
     };
-    // Depth in NDC: linear for parallel light; for a perspective (f + n)/(f - n) - 2fn/((f - n) w), times w.
-    const Vec4d z = frame.isPerspective ? (1 / (far - near)) * ((far + near) * depth - Vec4d{0, 0, 0, 2 * far * near})
-                                        : (1 / (far - near)) * (2.0 * depth - Vec4d{0, 0, 0, far + near});
-    return {Mat4d::fromRows(along(a, rectangle.halfSize.x), along(b, rectangle.halfSize.y), z, w)};
+    // What is left to the far side, 1 at the near side and 0 at the far, times w: linear in depth where w does not change along
+    // rays, and linear in 1 / depth where it is the depth. A warp of parallel light changes w across the map; the least
+    // of it keeps all that must be held within the near side.
+    const double nearest = frame.isPerspective ? near : frame.leastW;
+    const Vec4d left = (nearest / (far - near)) * (Vec4d{0, 0, 0, far} - depth);
+    return {Mat4d::fromRows(along(a, rectangle.halfSize.x), along(b, rectangle.halfSize.y), w - 2.0 * left, w)};
 }
 
 } // namespace lixel

@@ -4,19 +4,36 @@
 #include "lixel/base/rectangle.h"
 #include "lixel/plan/fit/fit.h"
 
+#include <optional>
+#include <span>
+
 namespace lixel {
 
 // Light-plane coordinates: where the light ray through a point meets a plane in front of the light, as homogeneous (x, y, w),
-// with the depth along the light's axis. Points: perspective from the light, w = depth. Directions: parallel, w = 1. In these
-// coordinates every fit is the same planar map for both.
+// with a depth that grows along every ray. Points: perspective from the light, w = depth. Directions: parallel, w = 1. In these
+// coordinates every fit is the same planar map for both, and a planar map of them is a LightFrame again (`warped`).
 struct LightFrame
 {
     Mat4d framedFromLocal; // rows: x, y, depth, w
     bool isPerspective = false;
+    double leastW = 1; // parallel light: the smallest w of what must be held
 };
 
 // `axisLocal` is a unit vector, the way light travels in the middle of the map; directional lights use their own direction.
 LightFrame lightFrame(const Light& light, Vec3d originWorld, Vec3d axisLocal);
+
+// A planar map of the light plane: rows act on (x, y, w).
+struct PlaneWarp
+{
+    Vec3d x{1, 0, 0}, y{0, 1, 0}, w{0, 0, 1};
+};
+
+// Depth of lights at a point becomes the new w, which is 0 at the light and grows along rays where it is positive at all; that of
+// parallel light stays. `points` are what must be held. Nothing where the warp's own horizon (w = 0) meets them.
+std::optional<LightFrame> warped(const LightFrame& frame, const PlaneWarp& warp, std::span<const Vec3d> points);
+
+// The frame with its leastW found; nothing where w is not positive, or next to nothing, at some point that must be held.
+std::optional<LightFrame> held(LightFrame frame, std::span<const Vec3d> points);
 
 // Where a point lies on the light plane. Needs w > 0.
 inline Vec2d onLightPlane(const LightFrame& frame, Vec3d pointLocal)
@@ -37,8 +54,30 @@ DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal);
 // The widest cone that one perspective map serves: its half angle stays below 88.8 degrees.
 inline constexpr double kLeastCosHalfAngle = 0.02;
 
+// The light's frame that looks along the axis of the narrowest cone around the points (directional lights: along their
+// direction). Refuses ExtentNotInHemisphere. Needs a point.
+Expected<LightFrame, FitFailure> frameAround(const FitInput& input, std::span<const Vec3d> points);
+
+enum class RectangleKind {
+    Upright, // sides along the frame's x and y
+    LeastArea
+};
+
+// The rectangle on the light plane that holds the points. Needs a point, and w > 0 at all of them.
+OrientedRectangle rectangleAround(const LightFrame& frame, std::span<const Vec3d> points, RectangleKind kind,
+                                  FitScratch& scratch);
+
+double farthestDepth(const LightFrame& frame, std::span<const Vec3d> points);
+
+// The tightest fit that holds the points: their rectangle on the light plane, from the nearest caster before it to the farthest
+// point. Needs a point.
+Fit fitTightly(const LightFrame& frame, std::span<const Vec3d> points, RectangleKind kind, const FitInput& input);
+
 // The fit whose NDC square is the rectangle of the light plane. Near: the nearest caster box that reaches into the rectangle,
 // not nearer than 1e-4 of the far depth for perspective; far: the given depth.
 Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double farDepth, const FitInput& input);
+
+// As above with the nearest depth of casters known.
+Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double nearDepth, double farDepth);
 
 } // namespace lixel

@@ -11,8 +11,10 @@ namespace lixel {
 //
 //   Needs    a scene
 //   Returns  directional: the upright rectangle of the scene's box across the light; spot: the square of its cone;
-//            point: the upright rectangle around the scene's box
-//   Refuses  ExtentNotInHemisphere, for a point light that the scene surrounds; EmptyScene
+//            point: the upright rectangle around the scene's box. In a region with half-spaces: the upright rectangle
+//            around what the light reaches there
+//   Refuses  ExtentNotInHemisphere, for a point light that the scene surrounds; EmptyScene; NothingInView, where the light
+//            reaches nothing
 //   Differs  Williams has spots only; sides of the rectangle lie along arbitrary but fixed directions across the light
 FitResult fitUniform(const FitInput& input);
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/base/view.h"
+#include "lixel/plan/fit/fit.h"
+#include "lixel/plan/light_image.h"
+
+#include <optional>
+#include <span>
+
+// From a light's budget of lixels to one rectangle a region.
+namespace lixel {
+
+// Lixels a light may use in a frame. One size is a total; with several they are the maps themselves.
+struct LixelSize
+{
+    int width = 0, height = 0;
+    friend bool operator==(const LixelSize&, const LixelSize&) = default;
+};
+
+// How much depends on a region's lixels: the sum, over its samples, of how long a lixel is in the picture if the region had one
+// lixel. A misclassified sample is one within a lixel or so of a shadow's edge, so errors go with it over the square root of
+// the lixels that the region gets. A few hundred samples, evenly taken, stand for all. 0 for no samples.
+double needOf(const Fit& fit, const View& view, Vec3d originWorld, std::span<const Vec3d> seenLocal,
+              std::span<const Vec3d> seenNormal);
+
+// The shares, adding up to 1, that make the sum of need / sqrt(share) least: they go with need^(2/3). No share is less than a
+// 32nd of an even one. Equal shares where no need is known. In place: needs in, shares out.
+void sharesByNeed(std::span<double> needs);
+
+// Cuts a rectangle into pieces of about the given shares: in halves of the shares, across the longer side, again and again, so
+// that pieces stay as square as they can. They do not overlap, have at least one lixel each and fill the whole. False
+// where there are fewer lixels than pieces.
+bool cutRectangle(LixelRectangle whole, std::span<const double> shares, std::span<LixelRectangle> pieces);
+
+// Packs rectangles of given sizes side by side, without turning them, and says how large the whole became: shelves of falling
+// height, about as wide as high.
+LixelSize packRectangles(std::span<const LixelSize> sizes, int layer, std::span<LixelRectangle> rectangles);
+
+} // namespace lixel

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/plan/fit/light_frame.h"
+#include "lixel/plan/fit/visible_body.h"
+
+#include <optional>
+#include <span>
+
+// What light-space perspective maps and trapezoidal maps share: a perspective of the light plane whose centre lies on the image
+// of the line of sight, behind what is seen.
+namespace lixel {
+
+// The depths between which something is seen: of the view samples where there are any, else of the visible body.
+struct DepthRange
+{
+    double nearest = 0, farthest = 0;
+};
+DepthRange seenDepths(const FitInput& input, const ViewDepth& depth, std::span<const Vec3d> visiblePoints);
+
+// The line of sight through the picture's middle as it lies on the light plane, and what is seen along it.
+struct LineOfSight
+{
+    Vec2d along;              // unit, from near to far
+    double aside = 0;         // where the line lies across `along`
+    double first = 0;         // least coordinate along it of the visible body ...
+    double length = 0;        // ... and how far the body goes on
+    double sineSquared = 0;   // of the angle between light and line of sight, in the middle of the body
+    Vec3d eyeLocal, perDepth; // the line itself: eyeLocal + depth * perDepth
+
+    Vec3d at(double depth) const { return eyeLocal + depth * perDepth; }
+};
+
+// Nothing for parallel views, and where the line runs along the light or out of its half-space between the two depths.
+std::optional<LineOfSight> lineOfSight(const FitInput& input, const LightFrame& frame, const DepthRange& depths,
+                                       std::span<const Vec3d> visiblePoints);
+
+// Where a point lies along the line, from the start of the body.
+double placeAlong(const LineOfSight& line, const LightFrame& frame, Vec3d pointLocal);
+
+// The perspective whose centre is `distance` before the start of the body, framed upright along the line. With distance to
+// infinity it is the parallel map in the same orientation.
+FitResult fitAlong(const FitInput& input, const LightFrame& frame, const LineOfSight& line, double distance,
+                   std::span<const Vec3d> visiblePoints);
+
+} // namespace lixel

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/fit/desired_view.h"
+
+#include "lixel/plan/fit/light_frame.h"
+
+namespace lixel {
+
+FitResult fitDesiredView(const FitInput& input, bool isRotated)
+{
+    if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
+    if (!input.hasViewSamples) return Unexpected{FitFailure::NoViewSamples};
+    if (input.seenLocal.empty()) return Unexpected{FitFailure::NothingInView};
+    const auto frame = frameAround(input, input.seenLocal);
+    if (!frame) return Unexpected{frame.error()};
+    return fitTightly(*frame, input.seenLocal, isRotated ? RectangleKind::LeastArea : RectangleKind::Upright, input);
+}
+
+} // namespace lixel

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/fit/psm.h"
+
+#include "lixel/plan/fit/along_view.h"
+#include "lixel/plan/fit/light_frame.h"
+#include "lixel/plan/fit/visible_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lixel {
+namespace {
+
+// The share of the view's own depth that a caster may come near to the virtual camera.
+constexpr double kLeastClearance = 1e-3;
+
+// Where the casters begin along the line of sight: those between the light and what is seen.
+double nearestCasterDepth(const FitInput& input, const LightFrame& frame, const ViewDepth& depth,
+                          std::span<const Vec3d> visiblePoints)
+{
+    const OrientedRectangle rectangle = rectangleAround(frame, visiblePoints, RectangleKind::LeastArea, input.scratch);
+    const double far = farthestDepth(frame, visiblePoints);
+    findCasterPoints(input, fitRectangle(frame, rectangle, far, far).lightClipFromLocal, input.scratch.casterPoints);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec3d& p : input.scratch.casterPoints) nearest = std::min(nearest, depth.of(p));
+    return nearest;
+}
+
+// The view's perspective, its camera moved back by `shift`, with the tightest cube around what is seen: Local to homogeneous
+// coordinates that are in [-1, +1] there.
+Mat4d virtualClipFromLocal(const FitInput& input, const ViewDepth& depth, double shift, const DepthRange& depths,
+                           std::span<const Vec3d> visiblePoints)
+{
+    const Mat4d clip = clipFromLocal(input.view, input.originWorld);
+    const auto plane = [](Vec3d normal, double offset) { return Vec4d{normal.x, normal.y, normal.z, offset}; };
+    // The rows x and y vanish along the line of sight and keep doing so as the eye moves back along it.
+    Vec4d x = clip.row(0), y = clip.row(1), w = plane(depth.forward, depth.offset + shift);
+    const double near = depths.nearest + shift, far = depths.farthest + shift;
+    const Vec4d z = (1 / (far - near)) * ((far + near) * w - Vec4d{0, 0, 0, 2 * far * near});
+    for (Vec4d* row : {&x, &y}) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Vec3d& p : visiblePoints) {
+            const double ratio = dot(*row, point(p)) / dot(w, point(p));
+            low = std::min(low, ratio);
+            high = std::max(high, ratio);
+        }
+        const double half = std::max(0.5 * (high - low), 1e-9 * (std::abs(high) + std::abs(low) + 1e-300));
+        *row = (1 / half) * (*row - 0.5 * (low + high) * w);
+    }
+    return Mat4d::fromRows(x, y, z, w);
+}
+
+// How the light sees the cube of the virtual view, as a frame on Local space: rows vanish at the light, w is 1 at the
+// cube's middle. The same formula serves lights at infinity there, whose fourth coordinate is 0.
+Mat4d lookAtCube(const Mat4d& virtualClip, Vec4d lightLocal, Vec4d depthRow)
+{
+    const Vec4d l = virtualClip * lightLocal;
+    const Vec3d toLight = l.w < 0 ? -xyz(l) : xyz(l);
+    const double perDistance = length(xyz(l)) > 0 ? std::abs(l.w) / length(xyz(l)) : 0;
+    const Vec3d axis = -normalized(toLight), right = anyPerpendicular(axis), up = cross(right, axis);
+    const Vec4d cx = virtualClip.row(0), cy = virtualClip.row(1), cz = virtualClip.row(2), cw = virtualClip.row(3);
+    const auto along = [&](Vec3d a) { return a.x * cx + a.y * cy + a.z * cz; };
+    return Mat4d::fromRows(along(right), along(up), depthRow, perDistance * along(axis) + cw);
+}
+
+} // namespace
+
+FitResult fitPsm(const FitInput& input, PsmShift shift)
+{
+    if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
+    std::vector<Vec3d>& points = input.scratch.points;
+    findVisiblePoints(input, points);
+    if (points.empty()) return Unexpected{FitFailure::NothingInView};
+    const auto frame = frameAround(input, points);
+    if (!frame) return Unexpected{frame.error()};
+    const ViewDepth depth = viewDepth(input.view, input.originWorld);
+    const DepthRange depths = seenDepths(input, depth, points);
+    if (!depth.isPerspective || !(depths.nearest > 0) || !(depths.farthest > depths.nearest))
+        return fitTightly(*frame, points, RectangleKind::LeastArea, input);
+
+    double back = 0;
+    if (shift == PsmShift::Casters)
+        back = std::max(0.0, kLeastClearance * depths.farthest - nearestCasterDepth(input, *frame, depth, points));
+    const Mat4d virtualClip = virtualClipFromLocal(input, depth, back, depths, points);
+    const bool isParallel = input.light.kind == LightKind::Directional;
+    const Vec4d lightLocal =
+        isParallel ? direction(-input.light.directionWorld) : point(input.light.positionWorld - input.originWorld);
+    LightFrame seen{lookAtCube(virtualClip, lightLocal, frame->framedFromLocal.row(2)), !isParallel, 1};
+    if (!isParallel) seen.framedFromLocal.setRow(2, seen.framedFromLocal.row(3));
+    const auto clear = held(seen, points);
+    if (!clear) return Unexpected{FitFailure::LightInPicture};
+    return fitTightly(*clear, points, RectangleKind::LeastArea, input);
+}
+
+} // namespace lixel

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/fit/stable.h"
+
+#include "lixel/plan/fit/light_frame.h"
+#include "lixel/plan/fit/uniform.h"
+#include "lixel/plan/fit/visible_body.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace lixel {
+namespace {
+
+constexpr double kTurnStep = 1.0 / 32; // radians
+constexpr double kGridPerDiagonal = 1.0 / 256;
+constexpr double kWidestHeld = 1.5; // radians of half angle; wider views are held as this
+
+struct Sphere
+{
+    Vec3d centre;
+    double radius = 0;
+};
+
+// The four corners of the picture at a depth, Local.
+std::array<Vec3d, 4> cornersAt(const Mat4d& localFromClip, const ViewDepth& depth, double at)
+{
+    std::array<Vec3d, 4> corners;
+    for (int i = 0; i < 4; ++i) {
+        const double x = i & 1 ? 1 : -1, y = i & 2 ? 1 : -1;
+        const Vec4d near = localFromClip * Vec4d{x, y, -1, 1}, beyond = localFromClip * Vec4d{x, y, 0, 1};
+        const Vec3d from = xyz(near) / near.w, to = xyz(beyond) / beyond.w;
+        const double d0 = depth.of(from), d1 = depth.of(to);
+        corners[std::size_t(i)] = from + ((at - d0) / (d1 - d0)) * (to - from);
+    }
+    return corners;
+}
+
+// The slice of depths that a region has of the view: cut by those of its planes that lie across the line of sight.
+std::array<double, 2> sliceOf(const FitInput& input, const ViewDepth& depth, const Mat4d& localFromClip)
+{
+    const Vec4d nearPoint = localFromClip * Vec4d{0, 0, -1, 1}, farPoint = localFromClip * Vec4d{0, 0, 1, 1};
+    const double near = depth.of(xyz(nearPoint) / nearPoint.w);
+    double first = near, last = near + input.sceneLocal.diagonal();
+    if (farPoint.w > 0) last = std::min(last, depth.of(xyz(farPoint) / farPoint.w));
+    for (const Plane& plane : input.cellLocal) {
+        const double cosine = dot(plane.normal, depth.forward);
+        if (cosine > 1 - 1e-9) first = std::max(first, depth.offset - plane.offset);
+        if (cosine < -1 + 1e-9) last = std::min(last, depth.offset + plane.offset);
+    }
+    return {first, std::max(first, last)};
+}
+
+// The smallest sphere with its centre on the slice's axis that holds all eight corners, its radius rounded up a little so that
+// it does not change by rounding.
+std::optional<Sphere> sphereAround(const FitInput& input)
+{
+    const auto localFromClip = inverse(clipFromLocal(input.view, input.originWorld));
+    if (!localFromClip) return std::nullopt;
+    const ViewDepth depth = viewDepth(input.view, input.originWorld);
+    const auto [first, last] = sliceOf(input, depth, *localFromClip);
+    const std::array<Vec3d, 4> near = cornersAt(*localFromClip, depth, first),
+                               far = cornersAt(*localFromClip, depth, last);
+    const auto middleOf = [](const std::array<Vec3d, 4>& c) { return 0.25 * (c[0] + c[1] + c[2] + c[3]); };
+    const auto farthestFrom = [](Vec3d p, const std::array<Vec3d, 4>& c) {
+        double r = 0;
+        for (const Vec3d& q : c) r = std::max(r, length(q - p));
+        return r;
+    };
+    const Vec3d from = middleOf(near), to = middleOf(far);
+    const double span = length(to - from), rn = farthestFrom(from, near), rf = farthestFrom(to, far);
+    const double share = span > 0 ? std::clamp(0.5 + (rf * rf - rn * rn) / (2 * span * span), 0.0, 1.0) : 0;
+    Sphere sphere{from + share * (to - from), 0};
+    sphere.radius = std::max(farthestFrom(sphere.centre, near), farthestFrom(sphere.centre, far));
+    int exponent = 0;
+    const double mantissa = std::frexp(sphere.radius, &exponent);
+    sphere.radius = std::ldexp(std::ceil(mantissa * 65536 + 0.5) / 65536, exponent);
+    return sphere;
+}
+
+Vec3d snapped(Vec3d p, double step)
+{
+    return {step * std::round(p.x / step), step * std::round(p.y / step), step * std::round(p.z / step)};
+}
+
+// A direction on a fixed grid of angles; at most a step away.
+Vec3d snappedDirection(Vec3d d)
+{
+    const double yaw = kTurnStep * std::round(std::atan2(d.x, d.z) / kTurnStep);
+    const double pitch = kTurnStep * std::round(std::asin(std::clamp(d.y, -1.0, 1.0)) / kTurnStep);
+    return {std::cos(pitch) * std::sin(yaw), std::sin(pitch), std::cos(pitch) * std::cos(yaw)};
+}
+
+} // namespace
+
+FitResult fitStable(const FitInput& input)
+{
+    if (input.light.kind != LightKind::Directional) return fitUniform(input);
+    const auto sphere = sphereAround(input);
+    if (!sphere || !std::isfinite(sphere->radius) || sphere->radius >= 0.5 * input.sceneLocal.diagonal())
+        return fitUniform(input);
+    const LightFrame frame = lightFrame(input.light, input.originWorld, input.light.directionWorld);
+    double near = std::numeric_limits<double>::infinity(), far = -near;
+    for (const Vec3d& corner : input.sceneLocal.corners()) {
+        const double depth = dot(frame.framedFromLocal.row(2), point(corner));
+        near = std::min(near, depth);
+        far = std::max(far, depth);
+    }
+    Fit fit =
+        fitRectangle(frame, {onLightPlane(frame, sphere->centre), {1, 0}, {sphere->radius, sphere->radius}}, near, far);
+    fit.snapsToWorld = true;
+    return fit;
+}
+
+View heldView(const View& view, double gridStep)
+{
+    const ViewDepth depth = viewDepth(view, view.anchorWorld);
+    const auto anchoredFromClip = inverse(view.clipFromAnchored);
+    if (!depth.isPerspective || !anchoredFromClip) return view;
+
+    // The cone around the picture's corners, wider by the turn, from an eye so far back that a step aside stays inside.
+    const Vec3d eye = xyz(view.eyeAnchored), forward = snappedDirection(depth.forward);
+    double cosine = 1;
+    for (const Vec3d& corner : cornersAt(*anchoredFromClip, depth, 1))
+        cosine = std::min(cosine, dot(normalized(corner - eye), depth.forward));
+    const double half = std::min(std::acos(cosine) + kTurnStep, kWidestHeld);
+    const Vec3d held = snapped(view.anchorWorld + eye, gridStep) - (gridStep / std::sin(half)) * forward;
+    const Vec3d up = std::abs(forward.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
+    const Vec4d nearPoint = *anchoredFromClip * Vec4d{0, 0, -1, 1};
+    const double near = std::max(depth.of(xyz(nearPoint) / nearPoint.w), 1e-3 * gridStep);
+    return perspectiveView(held, held + forward, up, 2 * half, near, std::numeric_limits<double>::infinity(),
+                           view.height, view.height);
+}
+
+FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&))
+{
+    const View view = heldView(input.view, kGridPerDiagonal * input.sceneLocal.diagonal());
+    FitInput held{view,          input.light,    input.originWorld, input.casterBoxesWorld, input.sceneLocal,
+                  input.scratch, input.cellLocal};
+    findVisiblePoints(held, held.scratch.points);
+    if (held.scratch.points.empty()) return Unexpected{FitFailure::NothingInView};
+    return fit(held);
+}
+
+} // namespace lixel

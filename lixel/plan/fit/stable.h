@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/plan/fit/fit.h"
+
+// Maps that do not crawl: as the camera moves or turns, the edges of still shadows stay where they are. The price is sharpness.
+namespace lixel {
+
+// focused(stable). Parallel light: the square around the sphere around the view frustum (the region's slice of it), whose size
+// does not change as the camera moves; place() moves it by whole lixels of a grid fixed in the world. Where the whole scene is no
+// larger than that, and for lights at a point, it is the uniform map, which does not depend on the camera at all.
+//
+//   M. Valient. Stable Rendering of Cascaded Shadow Maps. ShaderX 6, 2008.
+//
+//   Needs    a view of finite height; depth beyond the view's near side counts up to the scene's diagonal
+//   Refuses  as uniform
+FitResult fitStable(const FitInput& input);
+
+// For fits whose perspective follows the camera: the fit of a held view, which stays as it is while the camera moves within a
+// step of a grid (1/256 of the scene's diagonal) and turns within a step of 1/32 radian, and holds every such view. Between
+// steps the map does not change at all; at a step all of it does. `fit` finds scratch.points filled with what the held view
+// sees, and no view samples, which would change from frame to frame.
+FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&));
+
+// The held view itself. Parallel views are held as they are.
+View heldView(const View& view, double gridStep);
+
+} // namespace lixel

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/fit/visible_body.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace lixel {
+namespace {
+
+// Half-spaces around a spot's cone: eight through the light, touching the cone.
+void addCone(const Light& light, Vec3d lightLocal, BodyPlanes& planes)
+{
+    constexpr int kSides = 8;
+    const double sine = std::sin(light.coneAngle / 2), cosine = std::cos(light.coneAngle / 2);
+    const Vec3d axis = light.directionWorld, u = anyPerpendicular(axis), v = cross(axis, u);
+    for (int i = 0; i < kSides; ++i) {
+        const double a = 2 * std::numbers::pi * i / kSides;
+        const Vec3d outward = std::cos(a) * u + std::sin(a) * v;
+        planes.push_back(planeThrough(lightLocal, sine * axis - cosine * outward));
+    }
+}
+
+void addRange(double range, Vec3d lightLocal, BodyPlanes& planes)
+{
+    for (const Vec3d axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}})
+        for (const double sign : {1.0, -1.0})
+            planes.push_back(planeThrough(lightLocal + sign * range * axis, -sign * axis));
+}
+
+// What must hold for a point of the region to be in the light's reach.
+void addReached(const FitInput& input, BodyPlanes& planes)
+{
+    for (const Plane& plane : input.cellLocal) planes.push_back(plane);
+    if (input.light.kind == LightKind::Directional) return;
+    const Vec3d lightLocal = input.light.positionWorld - input.originWorld;
+    if (std::isfinite(input.light.range)) addRange(input.light.range, lightLocal, planes);
+    if (input.light.kind == LightKind::Spot) addCone(input.light, lightLocal, planes);
+}
+
+double squaredDistance(Vec3d a, Vec3d b) { return dot(a - b, a - b); }
+
+// A spot inside the scene is a corner of what it reaches. The cone of directions is spanned by the other corners.
+void dropPointsAt(Vec3d lightLocal, std::vector<Vec3d>& points)
+{
+    double farthest = 0;
+    for (const Vec3d& p : points) farthest = std::max(farthest, squaredDistance(p, lightLocal));
+    const double least = 1e-9 * (std::sqrt(farthest) + length(lightLocal)); // above the rounding of clipping
+    std::erase_if(points, [&](Vec3d p) { return squaredDistance(p, lightLocal) <= least * least; });
+}
+
+void findPoints(const FitInput& input, const BodyPlanes& planes, std::vector<Vec3d>& points)
+{
+    points.clear();
+    for (const Box& boxWorld : input.casterBoxesWorld)
+        if (!boxWorld.isEmpty())
+            appendClippedBox(translated(boxWorld, -input.originWorld), {planes.data(), planes.size()}, points);
+    if (input.light.kind != LightKind::Directional) dropPointsAt(input.light.positionWorld - input.originWorld, points);
+}
+
+} // namespace
+
+void appendClippedBox(const Box& box, std::span<const Plane> planes, std::vector<Vec3d>& points)
+{
+    const Vec3d centre = box.centre(), half = 0.5 * (box.max - box.min);
+    std::array<const Plane*, BodyPlanes::capacity()> cutting;
+    std::size_t cuts = 0;
+    for (const Plane& plane : planes) {
+        const double middle = plane.signedDistance(centre);
+        const double reach =
+            std::abs(plane.normal.x) * half.x + std::abs(plane.normal.y) * half.y + std::abs(plane.normal.z) * half.z;
+        if (middle < -reach) return;
+        if (middle < reach) cutting[cuts++] = &plane;
+    }
+    if (cuts == 0) {
+        for (const Vec3d& corner : box.corners()) points.push_back(corner);
+        return;
+    }
+    ConvexBody body = bodyOf(box);
+    for (std::size_t i = 0; i < cuts && !body.isEmpty(); ++i) clip(body, *cutting[i]);
+    for (const auto& face : body.faces) points.insert(points.end(), face.begin(), face.end());
+}
+
+void findVisiblePoints(const FitInput& input, std::vector<Vec3d>& points)
+{
+    BodyPlanes planes;
+    for (const Plane& plane : clipPlanes(clipFromLocal(input.view, input.originWorld))) planes.push_back(plane);
+    addReached(input, planes);
+    findPoints(input, planes, points);
+}
+
+void findReachedPoints(const FitInput& input, std::vector<Vec3d>& points)
+{
+    BodyPlanes planes;
+    addReached(input, planes);
+    findPoints(input, planes, points);
+}
+
+void findCasterPoints(const FitInput& input, const Mat4d& lightClipFromLocal, std::vector<Vec3d>& points)
+{
+    const Vec4d x = lightClipFromLocal.row(0), y = lightClipFromLocal.row(1), z = lightClipFromLocal.row(2),
+                w = lightClipFromLocal.row(3);
+    BodyPlanes planes;
+    for (const Vec4d& side : {w + x, w - x, w + y, w - y, w - z})
+        if (const double size = length(xyz(side)); size > 0) planes.push_back({(1 / size) * xyz(side), side.w / size});
+    findPoints(input, planes, points);
+}
+
+ViewDepth viewDepth(const View& view, Vec3d originWorld)
+{
+    const Mat4d clip = clipFromLocal(view, originWorld);
+    // A view's w grows along the line of sight; a parallel one's is constant, and its z does.
+    const Vec4d w = clip.row(3), z = clip.row(2);
+    const bool isPerspective = length(xyz(w)) > 1e-13 * (length(xyz(clip.row(0))) + length(xyz(z)));
+    const Vec4d along = isPerspective ? w : (1 / w.w) * z + Vec4d{0, 0, 0, 1};
+    const double size = length(xyz(along));
+    return {(1 / size) * xyz(along), along.w / size, isPerspective};
+}
+
+} // namespace lixel

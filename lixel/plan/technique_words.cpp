@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/technique.h"
+
+#include <array>
+
+namespace lixel {
+namespace {
+
+constexpr std::string_view kAnyLight = "directional, spot, point";
+
+constexpr std::array<TechniqueWord, 19> kWords{{
+    {"partition", "whole", "one region: all of space", "", "all", ""},
+    {"partition", "pssm(n, lambda=0.5, stable)",
+     "n = 1 to 16 regions along the line of sight, split between evenly (0) and logarithmically (1)",
+     "Zhang, Sun, Xu, Lun 2006", "all", "nothing-in-view"},
+    {"partition", "sdsm(n, stable)", "n regions along the line of sight, split logarithmically between seen depths",
+     "Lauritzen, Salvi, Lefohn 2011", "all", "no-view-samples, nothing-in-view"},
+    {"partition", "cube", "the faces of a cube around the light that something is seen in", "Greene 1986",
+     "spot, point; directional lights have one region", ""},
+    {"fit", "uniform", "the whole scene, whatever the view sees (the papers' \"normal\" map)", "Williams 1978",
+     kAnyLight, "extent-not-in-hemisphere"},
+    {"fit", "focused(stable)",
+     "view frustum, scene bounds and the light's cone clipped against each other, in the rectangle of least area",
+     "Brabec, Annen, Seidel 2002; Chong, Gortler 2007 (Focused)", kAnyLight,
+     "extent-not-in-hemisphere, nothing-in-view"},
+    {"fit", "desired-view(rotated)", "the view samples' own rectangle, upright or of least area",
+     "Rosen 2012; Milet 2015 (DV)", kAnyLight, "no-view-samples, extent-not-in-hemisphere"},
+    {"fit", "minimal-frustum", "focused, with near and far cut tight to casters and receivers",
+     "Stamminger, Drettakis 2002; Milet 2015 (MIN-SM)", kAnyLight, "extent-not-in-hemisphere, nothing-in-view"},
+    {"fit", "psm(shift=casters/none)",
+     "as the light sees the scene after the view's perspective; its camera moved back before all casters, or not",
+     "Stamminger, Drettakis 2002; Kozlov 2004", kAnyLight,
+     "light-in-picture, extent-not-in-hemisphere, nothing-in-view"},
+    {"fit", "tsm(focus=depth)",
+     "the trapezoid around what is seen, nearer than the focus depth on 80 % of the map (the middle depth, if not "
+     "given)",
+     "Martin, Tan 2004", kAnyLight, "extent-not-in-hemisphere, nothing-in-view"},
+    {"fit", "lispsm(stable)", "a perspective across the light as strong as makes near and far errors equal",
+     "Wimmer, Scherzer, Purgathofer 2004", kAnyLight, "extent-not-in-hemisphere, nothing-in-view"},
+    {"fit", "matrix(file)", "another engine's matrix for each light", "", kAnyLight, "not-given"},
+    {"fit", "plan(file)", "another engine's regions, rectangles and matrices", "", kAnyLight, "not-given"},
+    {"fallback", "else(partition+fit)", "serves what falls out of all regions; its lixels count", "", "all", ""},
+    {"allocation", "allocation=need/share",
+     "lixels of several regions: so that the predicted error is least, or the same number for each", "", "all", ""},
+    {"store", "depths(n)", "n depths a lixel; n = 1", "Williams 1978", "all", ""},
+    {"kernel", "pcf(k)", "k = 1, 4, 9, 16, 25 taps one lixel apart, results averaged", "Reeves, Salesin, Cook 1987",
+     "all", ""},
+    {"no map", "exact", "a ray for every view sample, decided in double precision", "", "all", ""},
+    {"no map", "exact-area(n)", "share of the pixel's area that is lit; n = 1, 4, ..., 1024 rays a pixel", "", "all",
+     ""},
+}};
+
+} // namespace
+
+std::span<const TechniqueWord> techniqueWords() { return kWords; }
+
+} // namespace lixel
