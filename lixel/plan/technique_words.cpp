@@ -29,8 +29,7 @@ constexpr std::array<TechniqueWord, 19> kWords{{
      "Stamminger, Drettakis 2002; Milet 2015 (MIN-SM)", kAnyLight, "extent-not-in-hemisphere, nothing-in-view"},
     {"fit", "psm(shift=casters/none)",
      "as the light sees the scene after the view's perspective; its camera moved back before all casters, or not",
-     "Stamminger, Drettakis 2002; Kozlov 2004", kAnyLight,
-     "light-in-picture, extent-not-in-hemisphere, nothing-in-view"},
+     "Stamminger, Drettakis 2002; Kozlov 2004", kAnyLight, "extent-not-in-hemisphere, nothing-in-view"},
     {"fit", "tsm(focus=depth)",
      "the trapezoid around what is seen, nearer than the focus depth on 80 % of the map (the middle depth, if not "
      "given)",

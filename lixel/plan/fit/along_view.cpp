@@ -56,17 +56,17 @@ double placeAlong(const LineOfSight& line, const LightFrame& frame, Vec3d pointL
     return dot(line.along, onLightPlane(frame, pointLocal)) - line.first;
 }
 
-FitResult fitAlong(const FitInput& input, const LightFrame& frame, const LineOfSight& line, double distance,
-                   std::span<const Vec3d> visiblePoints)
+Fit fitAlong(const FitInput& input, const LightFrame& frame, const LineOfSight& line, double distance,
+             std::span<const Vec3d> visiblePoints)
 {
     // From the centre, t along the line and s across it: s / t' and t / t' with t' = 1 + t / distance, so that no digits
     // are lost as the centre goes to infinity. The depth of the map's plane does not matter.
     const Vec2d a = line.along, across{a.y, -a.x};
     const Vec3d along{a.x, a.y, -line.first};
     const PlaneWarp warp{{across.x, across.y, -line.aside}, along, (1 / distance) * along + Vec3d{0, 0, 1}};
-    const auto perspective = warped(frame, warp, visiblePoints);
-    if (!perspective) return Unexpected{FitFailure::LightInPicture};
-    return fitTightly(*perspective, visiblePoints, RectangleKind::Upright, input);
+    const LightFrame perspective =
+        warped(frame, warp, visiblePoints).value_or(frame); // t' >= 1: its horizon is elsewhere
+    return fitTightly(perspective, visiblePoints, RectangleKind::Upright, input);
 }
 
 } // namespace lixel

@@ -12,10 +12,6 @@
 namespace lixel {
 
 // The depths between which something is seen: of the view samples where there are any, else of the visible body.
-struct DepthRange
-{
-    double nearest = 0, farthest = 0;
-};
 DepthRange seenDepths(const FitInput& input, const ViewDepth& depth, std::span<const Vec3d> visiblePoints);
 
 // The line of sight through the picture's middle as it lies on the light plane, and what is seen along it.
@@ -40,7 +36,7 @@ double placeAlong(const LineOfSight& line, const LightFrame& frame, Vec3d pointL
 
 // The perspective whose centre is `distance` before the start of the body, framed upright along the line. With distance to
 // infinity it is the parallel map in the same orientation.
-FitResult fitAlong(const FitInput& input, const LightFrame& frame, const LineOfSight& line, double distance,
-                   std::span<const Vec3d> visiblePoints);
+Fit fitAlong(const FitInput& input, const LightFrame& frame, const LineOfSight& line, double distance,
+             std::span<const Vec3d> visiblePoints);
 
 } // namespace lixel

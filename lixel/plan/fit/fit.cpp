@@ -10,7 +10,6 @@ std::string_view nameOf(FitFailure failure)
     case FitFailure::ExtentNotInHemisphere: return "extent-not-in-hemisphere";
     case FitFailure::EmptyScene: return "empty-scene";
     case FitFailure::NoViewSamples: return "no-view-samples";
-    case FitFailure::LightInPicture: return "light-in-picture";
     case FitFailure::NotGiven: return "not-given";
     case FitFailure::TooFewLixels: return "too-few-lixels";
     }
@@ -25,9 +24,6 @@ std::string_view sentenceFor(FitFailure failure)
         return "what the light must see does not fit into one perspective map (half a sphere or more): cube is needed";
     case FitFailure::EmptyScene: return "the scene has no casters";
     case FitFailure::NoViewSamples: return "it is made from view samples, and none were given";
-    case FitFailure::LightInPicture:
-        return "after the view's perspective the light stands in or beside what is seen: else(focused) or cube is "
-               "needed";
     case FitFailure::NotGiven: return "the file has no map for this light";
     case FitFailure::TooFewLixels: return "the budget has less than one lixel for each region";
     }

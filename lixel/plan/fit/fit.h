@@ -20,9 +20,8 @@ enum class FitFailure {
     ExtentNotInHemisphere, // what must be seen from the light does not fit one perspective map; `cube` is needed
     EmptyScene,            // there are no casters
     NoViewSamples,         // the fit or partition is made from view samples, and none were given
-    LightInPicture, // the light lies in or beside what the picture shows: no one map of its image holds all of it
-    NotGiven,       // the file of matrix(file) or plan(file) has nothing for this light
-    TooFewLixels,   // the budget has less than one lixel for each region
+    NotGiven,              // the file of matrix(file) or plan(file) has nothing for this light
+    TooFewLixels,          // the budget has less than one lixel for each region
 };
 std::string_view nameOf(FitFailure failure);
 std::string_view sentenceFor(FitFailure failure);

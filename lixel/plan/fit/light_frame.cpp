@@ -20,6 +20,10 @@ constexpr double kLeastRelativeW = 1e-6;
 // A rectangle has this size at least, against its distance from the light plane's origin: a map of one line or point is still a map.
 constexpr double kLeastRelativeHalfSize = 1e-9;
 
+// Floats of Local positions and of the map's rows round by this part of their terms: a rectangle is not smaller than some two
+// thousand times that, so that a map of 512 lixels keeps a receiver within a tenth of a lixel.
+constexpr double kLeastPerRounding = 2e3 * 0x1p-24;
+
 // Directions nearer the cone's border than this count as inside: above rounding, far below a lixel.
 constexpr double kConeSlack = 1e-14;
 
@@ -35,6 +39,21 @@ struct Interval
 Interval over(Vec4d row, Vec3d centre, Vec3d half)
 {
     return {dot(row, point(centre)), std::abs(row.x) * half.x + std::abs(row.y) * half.y + std::abs(row.z) * half.z};
+}
+
+// How large the terms are that a point's place on the light plane is the sum of, at most.
+double termsOf(const LightFrame& frame, const OrientedRectangle& rectangle, std::span<const Vec3d> points)
+{
+    const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
+    double farthest = 0, leastW = std::numeric_limits<double>::infinity();
+    for (const Vec3d& p : points) {
+        farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        leastW = std::min(leastW, dot(w, point(p)));
+    }
+    const auto terms = [&](Vec4d row) {
+        return (std::abs(row.x) + std::abs(row.y) + std::abs(row.z)) * farthest + std::abs(row.w);
+    };
+    return (std::max(terms(x), terms(y)) + length(rectangle.centre) * terms(w)) / leastW;
 }
 
 // The nearest depth of all boxes that reach into the pyramid (prism) of the rectangle; one that only touches is included.
@@ -160,10 +179,17 @@ OrientedRectangle rectangleAround(const LightFrame& frame, std::span<const Vec3d
     auto& [onPlane, hull] = scratch.plane;
     onPlane.clear();
     for (const Vec3d& p : points) onPlane.push_back(onLightPlane(frame, p));
-    if (kind == RectangleKind::Upright) return rectangleAlong(onPlane, {1, 0});
-    hull.resize(onPlane.size() + 1);
-    const std::size_t corners = convexHull(onPlane, hull);
-    return minimumAreaRectangle({hull.data(), corners});
+    OrientedRectangle rectangle;
+    if (kind == RectangleKind::Upright) {
+        rectangle = rectangleAlong(onPlane, {1, 0});
+    } else {
+        hull.resize(onPlane.size() + 1);
+        const std::size_t corners = convexHull(onPlane, hull);
+        rectangle = minimumAreaRectangle({hull.data(), corners});
+    }
+    const double least = kLeastPerRounding * termsOf(frame, rectangle, points);
+    rectangle.halfSize = {std::max(rectangle.halfSize.x, least), std::max(rectangle.halfSize.y, least)};
+    return rectangle;
 }
 
 double farthestDepth(const LightFrame& frame, std::span<const Vec3d> points)

@@ -12,6 +12,13 @@
 namespace lixel {
 namespace {
 
+// How near, along its axis, the light may come to what is seen in the virtual view's cube, against its distance from the farthest.
+constexpr double kLeastRelativeDistance = 0.02;
+
+// Steps of moving the virtual camera back, against the farthest depth that is seen, each twice the last.
+constexpr double kFirstStep = 1.0 / 16;
+constexpr int kMostSteps = 16;
+
 // The share of the view's own depth that a caster may come near to the virtual camera.
 constexpr double kLeastClearance = 1e-3;
 
@@ -64,6 +71,26 @@ Mat4d lookAtCube(const Mat4d& virtualClip, Vec4d lightLocal, Vec4d depthRow)
     return Mat4d::fromRows(along(right), along(up), depthRow, perDistance * along(axis) + cw);
 }
 
+// The frame of the light in the virtual view; nothing where the light lies within or beside what is seen there.
+std::optional<LightFrame> seenByLight(const FitInput& input, const Mat4d& virtualClip, const LightFrame& frame,
+                                      std::span<const Vec3d> visiblePoints)
+{
+    const bool isParallel = input.light.kind == LightKind::Directional;
+    const Vec4d lightLocal =
+        isParallel ? direction(-input.light.directionWorld) : point(input.light.positionWorld - input.originWorld);
+    LightFrame seen{lookAtCube(virtualClip, lightLocal, frame.framedFromLocal.row(2)), !isParallel, 1};
+    if (!isParallel) seen.framedFromLocal.setRow(2, seen.framedFromLocal.row(3));
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (const Vec3d& p : visiblePoints) {
+        // Against the view's own w, it is how far the light is from the point, in the virtual view's cube.
+        const double w = dot(seen.framedFromLocal.row(3), point(p)) / dot(virtualClip.row(3), point(p));
+        least = std::min(least, w);
+        most = std::max(most, w);
+    }
+    if (!(least > kLeastRelativeDistance * most)) return std::nullopt;
+    return held(seen, visiblePoints);
+}
+
 } // namespace
 
 FitResult fitPsm(const FitInput& input, PsmShift shift)
@@ -82,15 +109,13 @@ FitResult fitPsm(const FitInput& input, PsmShift shift)
     double back = 0;
     if (shift == PsmShift::Casters)
         back = std::max(0.0, kLeastClearance * depths.farthest - nearestCasterDepth(input, *frame, depth, points));
-    const Mat4d virtualClip = virtualClipFromLocal(input, depth, back, depths, points);
-    const bool isParallel = input.light.kind == LightKind::Directional;
-    const Vec4d lightLocal =
-        isParallel ? direction(-input.light.directionWorld) : point(input.light.positionWorld - input.originWorld);
-    LightFrame seen{lookAtCube(virtualClip, lightLocal, frame->framedFromLocal.row(2)), !isParallel, 1};
-    if (!isParallel) seen.framedFromLocal.setRow(2, seen.framedFromLocal.row(3));
-    const auto clear = held(seen, points);
-    if (!clear) return Unexpected{FitFailure::LightInPicture};
-    return fitTightly(*clear, points, RectangleKind::LeastArea, input);
+    // A light within or beside the picture leaves it as the camera moves back.
+    for (int i = 0; i < kMostSteps; ++i) {
+        const auto seen = seenByLight(input, virtualClipFromLocal(input, depth, back, depths, points), *frame, points);
+        if (seen) return fitTightly(*seen, points, RectangleKind::LeastArea, input);
+        back = 2 * back + kFirstStep * depths.farthest;
+    }
+    return fitTightly(*frame, points, RectangleKind::LeastArea, input);
 }
 
 } // namespace lixel

@@ -37,19 +37,23 @@ std::array<Vec3d, 4> cornersAt(const Mat4d& localFromClip, const ViewDepth& dept
     return corners;
 }
 
-// The slice of depths that a region has of the view: cut by those of its planes that lie across the line of sight.
-std::array<double, 2> sliceOf(const FitInput& input, const ViewDepth& depth, const Mat4d& localFromClip)
+double distanceTo(const Box& box, Vec3d p)
 {
-    const Vec4d nearPoint = localFromClip * Vec4d{0, 0, -1, 1}, farPoint = localFromClip * Vec4d{0, 0, 1, 1};
-    const double near = depth.of(xyz(nearPoint) / nearPoint.w);
-    double first = near, last = near + input.sceneLocal.diagonal();
-    if (farPoint.w > 0) last = std::min(last, depth.of(xyz(farPoint) / farPoint.w));
+    const auto beyond = [](double low, double high, double x) { return std::max({low - x, x - high, 0.0}); };
+    return length(
+        {beyond(box.min.x, box.max.x, p.x), beyond(box.min.y, box.max.y, p.y), beyond(box.min.z, box.max.z, p.z)});
+}
+
+// The slice of depths that a region has of the view: cut by those of its planes that lie across the line of sight.
+DepthRange sliceOf(const FitInput& input, const ViewDepth& depth)
+{
+    DepthRange slice = stableDepths(input);
     for (const Plane& plane : input.cellLocal) {
         const double cosine = dot(plane.normal, depth.forward);
-        if (cosine > 1 - 1e-9) first = std::max(first, depth.offset - plane.offset);
-        if (cosine < -1 + 1e-9) last = std::min(last, depth.offset + plane.offset);
+        if (cosine > 1 - 1e-9) slice.nearest = std::max(slice.nearest, depth.offset - plane.offset);
+        if (cosine < -1 + 1e-9) slice.farthest = std::min(slice.farthest, depth.offset + plane.offset);
     }
-    return {first, std::max(first, last)};
+    return {slice.nearest, std::max(slice.nearest, slice.farthest)};
 }
 
 // The smallest sphere with its centre on the slice's axis that holds all eight corners, its radius rounded up a little so that
@@ -59,7 +63,7 @@ std::optional<Sphere> sphereAround(const FitInput& input)
     const auto localFromClip = inverse(clipFromLocal(input.view, input.originWorld));
     if (!localFromClip) return std::nullopt;
     const ViewDepth depth = viewDepth(input.view, input.originWorld);
-    const auto [first, last] = sliceOf(input, depth, *localFromClip);
+    const auto [first, last] = sliceOf(input, depth);
     const std::array<Vec3d, 4> near = cornersAt(*localFromClip, depth, first),
                                far = cornersAt(*localFromClip, depth, last);
     const auto middleOf = [](const std::array<Vec3d, 4>& c) { return 0.25 * (c[0] + c[1] + c[2] + c[3]); };
@@ -111,6 +115,20 @@ FitResult fitStable(const FitInput& input)
         fitRectangle(frame, {onLightPlane(frame, sphere->centre), {1, 0}, {sphere->radius, sphere->radius}}, near, far);
     fit.snapsToWorld = true;
     return fit;
+}
+
+DepthRange stableDepths(const FitInput& input)
+{
+    const ViewDepth depth = viewDepth(input.view, input.originWorld);
+    const auto localFromClip = inverse(clipFromLocal(input.view, input.originWorld));
+    if (!localFromClip) return {0, input.sceneLocal.diagonal()};
+    const Vec4d near = *localFromClip * Vec4d{0, 0, -1, 1}, far = *localFromClip * Vec4d{0, 0, 1, 1};
+    const Vec3d nearLocal = xyz(near) / near.w;
+    const double away = distanceTo(input.sceneLocal, nearLocal);
+    DepthRange range{depth.of(nearLocal), depth.of(nearLocal) + input.sceneLocal.diagonal()};
+    if (away > 0) range.farthest += std::exp2(0.5 * std::ceil(2 * std::log2(away)));
+    if (far.w > 0) range.farthest = std::min(range.farthest, depth.of(xyz(far) / far.w));
+    return range;
 }
 
 View heldView(const View& view, double gridStep)

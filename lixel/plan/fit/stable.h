@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lixel/plan/fit/fit.h"
+#include "lixel/plan/fit/visible_body.h"
 
 // Maps that do not crawl: as the camera moves or turns, the edges of still shadows stay where they are. The price is sharpness.
 namespace lixel {
@@ -12,7 +12,6 @@ namespace lixel {
 //
 //   M. Valient. Stable Rendering of Cascaded Shadow Maps. ShaderX 6, 2008.
 //
-//   Needs    a view of finite height; depth beyond the view's near side counts up to the scene's diagonal
 //   Refuses  as uniform
 FitResult fitStable(const FitInput& input);
 
@@ -21,6 +20,10 @@ FitResult fitStable(const FitInput& input);
 // steps the map does not change at all; at a step all of it does. `fit` finds scratch.points filled with what the held view
 // sees, and no view samples, which would change from frame to frame.
 FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&));
+
+// How deep a camera in the scene may ever see, whichever way it looks: between the view's near side and its far side, or the scene's
+// diagonal beyond the near side. Farther for a camera outside the scene, in steps of the square root of two.
+DepthRange stableDepths(const FitInput& input);
 
 // The held view itself. Parallel views are held as they are.
 View heldView(const View& view, double gridStep);

@@ -37,6 +37,11 @@ struct ViewDepth
     Plane beyond(double depth) const { return {forward, offset - depth}; }  // holds depths >= depth
     Plane before(double depth) const { return {-forward, depth - offset}; } // holds depths <= depth
 };
+struct DepthRange
+{
+    double nearest = 0, farthest = 0;
+};
+
 ViewDepth viewDepth(const View& view, Vec3d originWorld);
 
 } // namespace lixel

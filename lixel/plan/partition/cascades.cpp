@@ -2,6 +2,7 @@
 #include "lixel/plan/partition/cascades.h"
 
 #include "lixel/plan/fit/along_view.h"
+#include "lixel/plan/fit/stable.h"
 
 #include <algorithm>
 #include <array>
@@ -28,20 +29,6 @@ Cells split(const ViewDepth& depth, double near, double far, int count, double l
     Splits splits;
     for (int i = 0; i <= count; ++i) splits[std::size_t(i)] = blend(near, far, double(i) / count, lambda);
     return cellsBetween(depth, {splits.data(), std::size_t(count) + 1});
-}
-
-// What a camera that moves through the scene may see at all.
-DepthRange stableDepths(const FitInput& input)
-{
-    const ViewDepth depth = viewDepth(input.view, input.originWorld);
-    const auto localFromClip = inverse(clipFromLocal(input.view, input.originWorld));
-    DepthRange range{0, input.sceneLocal.diagonal()};
-    if (!localFromClip) return range;
-    const Vec4d near = *localFromClip * Vec4d{0, 0, -1, 1}, far = *localFromClip * Vec4d{0, 0, 1, 1};
-    range.nearest = depth.of(xyz(near) / near.w);
-    range.farthest = range.nearest + input.sceneLocal.diagonal();
-    if (far.w > 0) range.farthest = std::min(range.farthest, depth.of(xyz(far) / far.w));
-    return range;
 }
 
 // Outwards to steps that small changes of the picture do not cross.
