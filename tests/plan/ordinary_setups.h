@@ -8,12 +8,12 @@
 #include <numbers>
 
 // Ordinary set-ups: a floor of 20 to 400 metres with 1 to 60 boxes of up to 8 metres on it, a camera at eye level (1.2 to 2.2
-// metres) within it that looks up or down by 20 degrees at most, and a light: the sun from 8 to 85 degrees above the horizon and from any
-// side; a spot inside the scene, 2 to 12 metres up, a cone of 20 to 120 degrees pointing downwards; a lamp above all the boxes. Lamps
-// amidst what they light need `cube`: no one perspective map holds more than half a sphere.
+// metres) within it that looks up or down by 20 degrees at most, and a light: the sun from 8 to 85 degrees above the horizon and from
+// any side; a spot inside the scene, 2 to 12 metres up, a cone of 20 to 120 degrees towards a place on the floor before the camera;
+// a lamp above all the boxes. Lamps amidst what they light need `cube`: no one perspective map holds more than half a sphere.
 namespace lixel::test {
 
-inline Light ordinaryLight(Rng& rng, Vec3d eye, double half, double highest)
+inline Light ordinaryLight(Rng& rng, Vec3d eye, Vec3d forward, double half, double highest)
 {
     Light light;
     light.kind = LightKind(rng.integer(0, 2));
@@ -28,7 +28,8 @@ inline Light ordinaryLight(Rng& rng, Vec3d eye, double half, double highest)
                            std::clamp(eye.z + away * std::sin(around), -half, half)};
     if (light.kind == LightKind::Point)
         light.positionWorld.y = highest + std::max(1.0, 0.05 * half) + rng.uniform(0, 10);
-    light.directionWorld = normalized({rng.uniform(-1, 1), -1, rng.uniform(-1, 1)});
+    const Vec3d ahead = eye + rng.uniform(2, 15) * normalized({forward.x, 0, forward.z});
+    light.directionWorld = normalized(Vec3d{ahead.x, 0, ahead.z} - light.positionWorld);
     light.coneAngle = rng.uniform(20, 120) * std::numbers::pi / 180;
     return light;
 }
@@ -51,7 +52,7 @@ inline RandomSetup ordinarySetup(Rng& rng)
     const Vec3d forward{std::cos(pitch) * std::cos(yaw), std::sin(pitch), std::cos(pitch) * std::sin(yaw)};
     setup.view = perspectiveView(eye, eye + forward, {0, 1, 0}, rng.uniform(40, 75) * std::numbers::pi / 180,
                                  rng.logUniform(0.01, 0.3), rng.chance(0.5) ? INFINITY : 4 * half, 1024, 768);
-    setup.light = ordinaryLight(rng, eye, half, highest);
+    setup.light = ordinaryLight(rng, eye, forward, half, highest);
     setup.originWorld = {std::round(eye.x), std::round(eye.y), std::round(eye.z)};
     return setup;
 }

@@ -20,6 +20,17 @@ TEST(TechniqueText, PartsLeftOutTakeTheirDefaultAndOrderIsFree)
     EXPECT_EQ(canonical("pcf(9)"), "whole+focused+depths(1)+pcf(9)");
     EXPECT_EQ(canonical("pcf(9)+uniform"), canonical("uniform + pcf(9)"));
     EXPECT_EQ(canonical("exact-area"), "exact-area(64)");
+    EXPECT_EQ(canonical("sdsm"), "sdsm(4)+desired-view+allocation=need+depths(1)+pcf(1)");
+    EXPECT_EQ(canonical("pssm:2+lispsm"), "pssm(2,lambda=0.5)+lispsm+allocation=need+depths(1)+pcf(1)");
+    EXPECT_EQ(canonical("psm+else(cube)"),
+              "whole+psm(shift=casters)+else(cube+focused)+allocation=need+depths(1)+pcf(1)");
+}
+
+TEST(TechniqueText, StableIsTheTechniquesWhereverItStands)
+{
+    EXPECT_EQ(canonical("pssm(4,stable)"), canonical("pssm(4)+focused(stable)"));
+    EXPECT_EQ(canonical("sdsm(4,stable)"), "sdsm(4,stable)+desired-view+allocation=need+depths(1)+pcf(1)");
+    EXPECT_EQ(canonical("lispsm(stable)"), "whole+lispsm(stable)+depths(1)+pcf(1)");
 }
 
 TEST(TechniqueText, ColonsStandForParenthesesAndKeysForPositions)
@@ -31,7 +42,10 @@ TEST(TechniqueText, ColonsStandForParenthesesAndKeysForPositions)
 
 TEST(TechniqueText, TheCanonicalFormParsesBackToTheSameValue)
 {
-    for (const char* text : {"focused", "uniform+pcf(25)", "whole+uniform", "exact", "exact-area(16)", "pcf:4"}) {
+    for (const char* text :
+         {"focused", "uniform+pcf(25)", "whole+uniform", "exact", "exact-area(16)", "pcf:4", "sdsm:3",
+          "cube+desired-view(rotated)", "tsm(focus=2.5)+else(pssm(3,lambda=0.7)+lispsm)+allocation=share",
+          "matrix(a b.json)", "plan(x.json)", "pssm(16,stable,lambda=1)+pcf", "sdsm(2,stable)", "psm(shift=none)"}) {
         const Technique technique = *parseTechnique(text);
         EXPECT_EQ(*parseTechnique(toString(technique)), technique) << text;
     }
@@ -39,9 +53,42 @@ TEST(TechniqueText, TheCanonicalFormParsesBackToTheSameValue)
 
 TEST(TechniqueText, WhatIsWrongIsOneLineThatQuotesIt)
 {
-    for (const char* text :
-         {"", "nosuch", "focused+uniform", "pcf(3)", "pcf(9", "pcf)9(", "pcf(1,2)", "exact+focused", "focused(2)", "+",
-          "depths(2)", "pcf(k=)", "pcf(n=4)", "exact-area(0)", "exact-area(99999999999999999999)", "pcf()"}) {
+    for (const char* text : {"",
+                             "nosuch",
+                             "focused+uniform",
+                             "pcf(3)",
+                             "pcf(9",
+                             "pcf)9(",
+                             "pcf(1,2)",
+                             "exact+focused",
+                             "focused(2)",
+                             "+",
+                             "depths(2)",
+                             "pcf(k=)",
+                             "pcf(n=4)",
+                             "exact-area(0)",
+                             "exact-area(99999999999999999999)",
+                             "pcf()",
+                             "pssm(0)",
+                             "pssm(17)",
+                             "pssm(2,lambda=2)",
+                             "sdsm(2,lambda=1)",
+                             "tsm(focus=0)",
+                             "psm(shift=back)",
+                             "matrix()",
+                             "cube(3)",
+                             "uniform(stable)",
+                             "tsm+focused(stable)",
+                             "allocation=need",
+                             "pssm(2)+allocation=most",
+                             "else(focused",
+                             "else()",
+                             "focused+else(pcf(4))",
+                             "focused+else(focused(stable))",
+                             "pssm(2)+matrix(f.json)",
+                             "focused+else(matrix(f.json))",
+                             "cube+pssm(2)",
+                             "plan(f.json)+allocation=need"}) {
         const auto technique = parseTechnique(text);
         ASSERT_FALSE(technique) << text;
         EXPECT_NE(technique.error().find(text), std::string::npos);

@@ -41,19 +41,22 @@ Interval over(Vec4d row, Vec3d centre, Vec3d half)
     return {dot(row, point(centre)), std::abs(row.x) * half.x + std::abs(row.y) * half.y + std::abs(row.z) * half.z};
 }
 
-// How large the terms are that a point's place on the light plane is the sum of, at most.
-double termsOf(const LightFrame& frame, const OrientedRectangle& rectangle, std::span<const Vec3d> points)
+// How far rounding may move points within a rectangle, along its sides: the terms of their coordinates, counted from its middle.
+Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, std::span<const Vec3d> points)
 {
     const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
-    double farthest = 0, leastW = std::numeric_limits<double>::infinity();
+    const auto along = [&](Vec2d axis) { return axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w; };
+    const Vec4d u = along(rectangle.axis), v = along({-rectangle.axis.y, rectangle.axis.x});
+    Vec2d most;
     for (const Vec3d& p : points) {
-        farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-        leastW = std::min(leastW, dot(w, point(p)));
+        const auto terms = [&p](Vec4d r) {
+            return std::abs(r.x * p.x) + std::abs(r.y * p.y) + std::abs(r.z * p.z) + std::abs(r.w);
+        };
+        const double perW = 1 / dot(w, point(p)), ofW = terms(w);
+        most.x = std::max(most.x, perW * (terms(u) + std::abs(perW * dot(u, point(p))) * ofW));
+        most.y = std::max(most.y, perW * (terms(v) + std::abs(perW * dot(v, point(p))) * ofW));
     }
-    const auto terms = [&](Vec4d row) {
-        return (std::abs(row.x) + std::abs(row.y) + std::abs(row.z)) * farthest + std::abs(row.w);
-    };
-    return (std::max(terms(x), terms(y)) + length(rectangle.centre) * terms(w)) / leastW;
+    return most;
 }
 
 // The nearest depth of all boxes that reach into the pyramid (prism) of the rectangle; one that only touches is included.
@@ -187,8 +190,8 @@ OrientedRectangle rectangleAround(const LightFrame& frame, std::span<const Vec3d
         const std::size_t corners = convexHull(onPlane, hull);
         rectangle = minimumAreaRectangle({hull.data(), corners});
     }
-    const double least = kLeastPerRounding * termsOf(frame, rectangle, points);
-    rectangle.halfSize = {std::max(rectangle.halfSize.x, least), std::max(rectangle.halfSize.y, least)};
+    const Vec2d rounding = kLeastPerRounding * roundingIn(frame, rectangle, points);
+    rectangle.halfSize = {std::max(rectangle.halfSize.x, rounding.x), std::max(rectangle.halfSize.y, rounding.y)};
     return rectangle;
 }
 

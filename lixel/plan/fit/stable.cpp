@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kTurnStep = 1.0 / 32; // radians
 constexpr double kGridPerDiagonal = 1.0 / 256;
-constexpr double kWidestHeld = 1.5; // radians of half angle; wider views are held as this
+constexpr double kAngleGrid = 1.0 / 256; // radians, that the held view's opening is rounded up to
+constexpr double kWidestHeld = 1.5;      // radians of half angle; wider views are held as this
 
 struct Sphere
 {
@@ -102,8 +103,11 @@ FitResult fitStable(const FitInput& input)
 {
     if (input.light.kind != LightKind::Directional) return fitUniform(input);
     const auto sphere = sphereAround(input);
-    if (!sphere || !std::isfinite(sphere->radius) || sphere->radius >= 0.5 * input.sceneLocal.diagonal())
-        return fitUniform(input);
+    if (!sphere || !std::isfinite(sphere->radius) || sphere->radius >= 0.5 * input.sceneLocal.diagonal()) {
+        FitInput whole = input;
+        whole.cellLocal.clear(); // the region's borders move with the camera
+        return fitUniform(whole);
+    }
     const LightFrame frame = lightFrame(input.light, input.originWorld, input.light.directionWorld);
     double near = std::numeric_limits<double>::infinity(), far = -near;
     for (const Vec3d& corner : input.sceneLocal.corners()) {
@@ -124,8 +128,9 @@ DepthRange stableDepths(const FitInput& input)
     if (!localFromClip) return {0, input.sceneLocal.diagonal()};
     const Vec4d near = *localFromClip * Vec4d{0, 0, -1, 1}, far = *localFromClip * Vec4d{0, 0, 1, 1};
     const Vec3d nearLocal = xyz(near) / near.w;
-    const double away = distanceTo(input.sceneLocal, nearLocal);
-    DepthRange range{depth.of(nearLocal), depth.of(nearLocal) + input.sceneLocal.diagonal()};
+    // A camera over flat ground is just outside the scene's box; that is no distance yet.
+    const double diagonal = input.sceneLocal.diagonal(), away = distanceTo(input.sceneLocal, nearLocal) - diagonal / 8;
+    DepthRange range{depth.of(nearLocal), depth.of(nearLocal) + 1.125 * diagonal};
     if (away > 0) range.farthest += std::exp2(0.5 * std::ceil(2 * std::log2(away)));
     if (far.w > 0) range.farthest = std::min(range.farthest, depth.of(xyz(far) / far.w));
     return range;
@@ -142,11 +147,13 @@ View heldView(const View& view, double gridStep)
     double cosine = 1;
     for (const Vec3d& corner : cornersAt(*anchoredFromClip, depth, 1))
         cosine = std::min(cosine, dot(normalized(corner - eye), depth.forward));
-    const double half = std::min(std::acos(cosine) + kTurnStep, kWidestHeld);
+    const double half = std::min(kAngleGrid * std::ceil(std::acos(cosine) / kAngleGrid) + kTurnStep, kWidestHeld);
     const Vec3d held = snapped(view.anchorWorld + eye, gridStep) - (gridStep / std::sin(half)) * forward;
     const Vec3d up = std::abs(forward.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
     const Vec4d nearPoint = *anchoredFromClip * Vec4d{0, 0, -1, 1};
-    const double near = std::max(depth.of(xyz(nearPoint) / nearPoint.w), 1e-3 * gridStep);
+    // Half of the near depth: a corner of the near side lies less deep for a camera that looks a step aside.
+    const double near =
+        std::exp2(std::floor(std::log2(std::max(depth.of(xyz(nearPoint) / nearPoint.w), 1e-3 * gridStep))) - 1);
     return perspectiveView(held, held + forward, up, 2 * half, near, std::numeric_limits<double>::infinity(),
                            view.height, view.height);
 }

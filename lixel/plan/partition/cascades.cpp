@@ -13,8 +13,9 @@ namespace {
 
 using Splits = std::array<double, kMostCells + 1>;
 
-// Room for the rounding of float half-spaces, against the depths themselves.
-constexpr double kOverlap = 1e-5;
+// Room for the rounding of float half-spaces: against the depths themselves, so that it does not change as the camera moves, and
+// against their offset where the frame's origin is far from the eye.
+constexpr double kOverlap = 1e-5, kOffsetRounding = 4e-7;
 
 double blend(double near, double far, double share, double lambda)
 {
@@ -41,7 +42,7 @@ Cells cellsBetween(const ViewDepth& depth, std::span<const double> splits)
     Cells cells;
     for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
         const bool isFirst = i == 0, isLast = i + 2 == splits.size();
-        const double slack = kOverlap * (std::abs(splits[i + 1]) + std::abs(depth.offset));
+        const double slack = std::max(kOverlap * std::abs(splits[i + 1]), kOffsetRounding * std::abs(depth.offset));
         Cell cell;
         if (!isFirst) cell.holdsLocal.push_back(depth.beyond(splits[i] - slack));
         if (!isLast) cell.holdsLocal.push_back(depth.before(splits[i + 1] + slack));

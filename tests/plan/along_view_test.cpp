@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/fit/along_view.h"
+
+#include "lixel/plan/fit/lispsm.h"
+#include "lixel/plan/fit/tsm.h"
+#include "plan/ordinary_setups.h"
+
+#include <gtest/gtest.h>
+
+namespace lixel {
+namespace {
+
+using test::forEachCase;
+using test::ordinarySetup;
+using test::RandomSetup;
+using test::Rng;
+
+// An ordinary set-up with all that fits along the view start from.
+struct Start
+{
+    RandomSetup setup;
+    FitScratch scratch;
+    std::optional<LightFrame> frame;
+    DepthRange depths;
+    std::optional<LineOfSight> line;
+
+    FitInput input()
+    {
+        return {setup.view, setup.light, setup.originWorld, setup.boxesWorld, setup.sceneLocal(), scratch};
+    }
+};
+
+bool begin(Start& start, Rng& rng, std::optional<LightKind> kind = {})
+{
+    start.setup = ordinarySetup(rng);
+    if (kind && start.setup.light.kind != *kind) return false;
+    const FitInput input = start.input();
+    findVisiblePoints(input, start.scratch.points);
+    if (start.scratch.points.empty()) return false;
+    const auto frame = frameAround(input, start.scratch.points);
+    if (!frame) return false;
+    start.frame = *frame;
+    start.depths = seenDepths(input, viewDepth(input.view, input.originWorld), start.scratch.points);
+    start.line = lineOfSight(input, *frame, start.depths, start.scratch.points);
+    return start.line.has_value();
+}
+
+// Of a point in the map, -1 to +1.
+Vec2d ndc(const Fit& fit, Vec3d pointLocal)
+{
+    const Vec3d p = project(fit.lightClipFromLocal, pointLocal);
+    return {p.x, p.y};
+}
+
+TEST(Lispsm, WithItsCentreAtInfinityIsTheParallelMapInTheSameOrientation)
+{
+    forEachCase(test::kCases, [](Rng& rng) {
+        Start start;
+        if (!begin(start, rng)) return;
+        const std::span<const Vec3d> points = start.scratch.points;
+        const FitInput input = start.input();
+        const Fit far = fitAlong(input, *start.frame, *start.line, 1e12 * start.line->length, points);
+        const Vec2d a = start.line->along;
+        const auto turned = warped(*start.frame, {{a.y, -a.x, 0}, {a.x, a.y, 0}, {0, 0, 1}}, points);
+        ASSERT_TRUE(turned);
+        const Fit parallel = fitTightly(*turned, points, RectangleKind::Upright, input);
+        for (const Vec3d& p : points) {
+            EXPECT_NEAR(ndc(far, p).x, ndc(parallel, p).x, 1e-6);
+            EXPECT_NEAR(ndc(far, p).y, ndc(parallel, p).y, 1e-6);
+        }
+    });
+}
+
+TEST(Lispsm, ForParallelLightTheCentreIsWhereThePaperPutsIt)
+{
+    int tried = 0;
+    forEachCase(test::kCases, [&](Rng& rng) {
+        Start start;
+        if (!begin(start, rng, LightKind::Directional)) return;
+        const double gamma = std::acos(dot(normalized(start.line->perDepth), -start.setup.light.directionWorld));
+        const double zn = start.depths.nearest, zf = start.depths.farthest;
+        const double paper = (zn + std::sqrt(zn * zf)) / std::sin(gamma);
+        EXPECT_NEAR(lispsmDistance(*start.frame, *start.line, start.depths) / paper, 1, 1e-6);
+        ++tried;
+    });
+    EXPECT_GT(tried, test::scaled(test::kCases) / 10);
+}
+
+// What section 4 of the paper asks for: how long a lixel is in the picture along the line of sight, the same at both ends, so
+// that the greater of the two is as small as it can be.
+TEST(Lispsm, AcrossTheLineOfSightErrorsAreEqualAtBothEndsForLightsOfEveryKind)
+{
+    int tried = 0;
+    forEachCase(10 * test::kCases, [&](Rng& rng) {
+        Start start;
+        if (!begin(start, rng) || start.line->sineSquared < 0.95) return;
+        const double best = lispsmDistance(*start.frame, *start.line, start.depths) * start.line->sineSquared;
+        if (!std::isfinite(best)) return;
+        const auto errorAt = [&](double distance, double depth) {
+            // Of the perspective from `distance` before the first point of the line itself.
+            const double first = placeAlong(*start.line, *start.frame, start.line->at(start.depths.nearest));
+            const auto mapped = [&](double z) {
+                const double t = placeAlong(*start.line, *start.frame, start.line->at(z)) - first;
+                return t / (distance + t);
+            };
+            const double h = 1e-5 * depth, lixelsPerDepth = (mapped(depth + h) - mapped(depth - h)) / (2 * h);
+            return 1 / (depth * std::abs(lixelsPerDepth)); // a length at this depth has 1 / depth of the pixels
+        };
+        const auto worst = [&](double distance) {
+            return std::max(errorAt(distance, start.depths.nearest), errorAt(distance, start.depths.farthest));
+        };
+        EXPECT_NEAR(errorAt(best, start.depths.nearest) / errorAt(best, start.depths.farthest), 1, 1e-3);
+        ++tried;
+        for (const double other : {0.7, 0.95, 1.05, 1.4}) {
+            const double scale = other * best; // the whole span is one map in each: compare at equal lixels
+            const double span = placeAlong(*start.line, *start.frame, start.line->at(start.depths.farthest)) -
+                                placeAlong(*start.line, *start.frame, start.line->at(start.depths.nearest));
+            const auto perMap = [&](double distance) { return worst(distance) * span / (distance + span); };
+            EXPECT_LE(perMap(best), perMap(scale) * (1 + 1e-3));
+        }
+    });
+    EXPECT_GT(tried, 20);
+}
+
+TEST(Tsm, TheFocusPointComesToLieAtEightyPercentOfTheMap)
+{
+    int tried = 0;
+    forEachCase(test::kCases, [&](Rng& rng) {
+        Start start;
+        if (!begin(start, rng)) return;
+        const double focus = start.depths.nearest * std::pow(start.depths.farthest / start.depths.nearest, 0.4);
+        const double delta = placeAlong(*start.line, *start.frame, start.line->at(focus));
+        if (!(delta > 0) || !std::isfinite(tsmDistance(start.line->length, delta))) return;
+        const FitResult fit = fitTsm(start.input(), focus);
+        ASSERT_TRUE(fit);
+        EXPECT_NEAR(ndc(*fit, start.line->at(focus)).y, -1 + 2 * 0.8, 1e-4);
+        ++tried;
+    });
+    EXPECT_GT(tried, test::scaled(test::kCases) / 4);
+}
+
+TEST(Tsm, TheCentresDistanceSolvesTheEightyPercentRule)
+{
+    forEachCase(test::kCases, [](Rng& rng) {
+        const double lambda = rng.logUniform(1e-3, 1e3), delta = lambda * rng.uniform(0.01, 0.79);
+        const double eta = tsmDistance(lambda, delta);
+        EXPECT_NEAR((delta / (delta + eta)) / (lambda / (lambda + eta)), 0.8, 1e-9);
+        EXPECT_TRUE(std::isinf(tsmDistance(lambda, 0.8 * lambda * (1 + 1e-9))));
+    });
+}
+
+} // namespace
+} // namespace lixel

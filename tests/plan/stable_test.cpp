@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/fit/stable.h"
+
+#include "lixel/plan/shadow_plan.h"
+#include "plan/ordinary_setups.h"
+
+#include <gtest/gtest.h>
+
+namespace lixel {
+namespace {
+
+using test::forEachCase;
+using test::ordinarySetup;
+using test::RandomSetup;
+using test::Rng;
+
+FramePlan planOf(const RandomSetup& setup, const char* technique)
+{
+    return planShadows({setup.view,
+                        {&setup.light, 1},
+                        setup.boxesWorld,
+                        setup.originWorld,
+                        std::get<MapTechnique>(*parseTechnique(technique)),
+                        {512, 512}});
+}
+
+View viewFrom(Vec3d eye, double yaw, double pitch)
+{
+    const Vec3d forward{std::cos(pitch) * std::cos(yaw), std::sin(pitch), std::cos(pitch) * std::sin(yaw)};
+    return perspectiveView(eye, eye + forward, {0, 1, 0}, 1, 0.1, 20, 640, 480);
+}
+
+// The lixel of a point fixed in the world, as a frame's map has it.
+Vec2d lixelOf(const FramePlan& plan, std::size_t region, Vec3d pointWorld)
+{
+    const PlannedRegion& r = plan.lights[0].regions[region];
+    const Vec3d ndc = project(r.lightClipFromLocal, pointWorld - plan.originWorld);
+    return {r.rectangle.x0 + (0.5 + 0.5 * ndc.x) * r.rectangle.width(),
+            r.rectangle.y0 + (0.5 + 0.5 * ndc.y) * r.rectangle.height()};
+}
+
+class Crawl : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(Crawl, MovingAndTurningTheCameraMovesTheMapByWholeLixels)
+{
+    int tried = 0;
+    forEachCase(test::kCases, [&](Rng& rng) {
+        RandomSetup setup = ordinarySetup(rng);
+        const Vec3d eye = setup.view.anchorWorld;
+        setup.view = viewFrom(eye, rng.uniform(0, 6), rng.uniform(-0.3, 0.3));
+        const FramePlan first = planOf(setup, GetParam());
+        const Vec3d moved = eye + rng.inBox(0.02 * setup.radius);
+        setup.view = viewFrom({moved.x, eye.y, moved.z}, rng.uniform(0, 6), rng.uniform(-0.3, 0.3));
+        setup.originWorld = {std::round(moved.x), 0, std::round(moved.z)};
+        const FramePlan second = planOf(setup, GetParam());
+        const bool hasCascades =
+            std::string_view(GetParam()).starts_with("pssm") && setup.light.kind == LightKind::Directional;
+        const std::size_t regions = hasCascades ? 3 : 1;
+        // Cascades that see nothing have no region; which of them are left is not told.
+        if (first.lights[0].regions.size() != regions || second.lights[0].regions.size() != regions) return;
+        ++tried;
+        for (std::size_t i = 0; i < regions; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                const Vec3d p = eye + rng.inBox(5);
+                const Vec2d by = lixelOf(second, i, p) - lixelOf(first, i, p);
+                EXPECT_NEAR(by.x, std::round(by.x), 1e-5);
+                EXPECT_NEAR(by.y, std::round(by.y), 1e-5);
+            }
+        }
+    });
+    EXPECT_GT(tried, test::scaled(test::kCases) / 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, Crawl,
+                         testing::Values("focused(stable)", "pssm(3,stable)+allocation=share", "uniform"));
+
+TEST(HeldView, HoldsEveryViewThatItStandsFor)
+{
+    forEachCase(test::kCases, [](Rng& rng) {
+        const Vec3d eye = rng.inBox(10);
+        const View view = viewFrom(eye, rng.uniform(0, 6), rng.uniform(-1.2, 1.2));
+        const View held = heldView(view, rng.logUniform(1e-3, 0.5));
+        const auto worldFromClip = inverse(clipFromWorld(view));
+        ASSERT_TRUE(worldFromClip);
+        for (int i = 0; i < 8; ++i) {
+            const Vec4d corner = *worldFromClip * Vec4d{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0, 1};
+            const Vec4d c = clipFromWorld(held) * point(xyz(corner) / corner.w);
+            EXPECT_GT(c.w, 0);
+            EXPECT_LE(std::max(std::abs(c.x), std::abs(c.y)), c.w * (1 + 1e-9));
+            EXPECT_GE(c.z, -c.w);
+        }
+    });
+}
+
+TEST(HeldView, DoesNotChangeWithinAStep)
+{
+    const View one = heldView(viewFrom({10.001, 1.7, 3.002}, 1.0, 0.1), 0.5),
+               two = heldView(viewFrom({10.1, 1.71, 3.05}, 1.002, 0.101), 0.5);
+    EXPECT_EQ(clipFromWorld(one), clipFromWorld(two));
+}
+
+} // namespace
+} // namespace lixel
