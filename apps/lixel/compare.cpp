@@ -72,7 +72,8 @@ void printSummary(const RunResults& results, bool isPath, std::FILE* to)
 {
     fmt::print(to, "{:<24} {:<14} {:<34} {:<6} {:>14} {:>12} {:>10}", "view", "light", "technique", "by",
                "misclassified", "interior", "frame");
-    fmt::print(to, "{}\n", isPath ? fmt::format(" {:>12} {:>14} {:>14}", "flips", "footprint p50", "footprint p90") : "");
+    fmt::print(to, "{}\n",
+               isPath ? fmt::format(" {:>12} {:>14} {:>14}", "flips", "footprint p50", "footprint p90") : "");
     for (const ResultRow& row : results.rows) {
         fmt::print(to, "{:<24} {:<14} {:<34} {:<6} ", row.view, row.light, row.technique, row.executor);
         if (const Refusal* refusal = row.refused()) {
@@ -188,6 +189,9 @@ Command addCompare(CLI::App& parent, const std::string& commandLine)
     CLI::App* app =
         parent.add_subcommand("compare", "how wrong techniques are against exact visibility, and what they cost");
     addPictureOptions(*app, o->picture);
+    app->get_option("--path")->description(
+        "along the path of the scene or the view file, frame by frame, with the samples that flip between frames; "
+        "with --time alone one picture of it");
     app->add_option("--frames", o->path.frames,
                     fmt::format("with --path: how many frames of it, evenly from its begin, or --time, to its end; "
                                 "{} where neither --time nor --fps is given",

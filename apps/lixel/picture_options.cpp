@@ -205,8 +205,7 @@ void applyAll(const Opened& opened, const PictureOptions& options, PathTimes tim
 std::vector<double> timesOf(std::span<const PathKey> path, std::optional<double> begin, const PathOptions& options)
 {
     const double from = begin.value_or(path.front().time), to = path.back().time;
-    if (!(from < to))
-        throw UsageError(fmt::format("--path: nothing is left of it at {} s, it ends at {} s", from, to));
+    if (!(from < to)) throw UsageError(fmt::format("--path: nothing is left of it at {} s, it ends at {} s", from, to));
     int count = options.frames.value_or(kFramesOfPath);
     if (options.fps) {
         const double fitting = std::floor((to - from) * *options.fps + 1e-6) + 1; // frames that the path has time for
@@ -234,7 +233,8 @@ void addPictureOptions(CLI::App& command, PictureOptions& o)
     command.add_option("--size", o.size, "of the picture, WIDTHxHEIGHT pixels")->capture_default_str();
     command.add_option("--time", o.time, "seconds from 0, of animations and paths")->check(notEmpty());
     command.add_option("--animation", o.animation, "which animation of the file plays, from 0")->check(notEmpty());
-    command.add_flag("--path", o.alongPath, "take camera and light from the scene's path at --time");
+    command.add_flag("--path", o.alongPath,
+                     "take camera and light from the path of the scene or the view file, at --time");
     addViewFlags(command, o.flags);
 }
 

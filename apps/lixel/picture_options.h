@@ -63,7 +63,7 @@ struct PathOptions
 {
     std::optional<int> frames; // from 2: evenly over the path, or 1 / fps apart
     std::optional<double> fps; // a second; without `frames` as many as the path has time for
-    bool isStill = false; // casters and light stay as they are where it begins
+    bool isStill = false;      // casters and light stay as they are where it begins
 };
 
 struct PathFrame
