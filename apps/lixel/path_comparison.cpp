@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "path_comparison.h"
 
-#include "lixel/scene/framing.h"
 #include "lixel/trace/exact_visibility.h"
 #include "path_row.h"
 #include "shadows.h"
@@ -115,7 +114,7 @@ Moment PathComparison::momentOf(std::size_t number)
     else
         now.stage =
             std::make_shared<const Stage>(makeStage(path_.shooting.scene, frame.evaluateOptions, path_.originWorld));
-    now.view = makeView(frame.shot.camera, path_.shooting.width, path_.shooting.height, frame.sceneWorld);
+    now.view = frame.view;
     now.samples = executors_.front()->viewSamples(*now.stage, now.view);
     onStep_(nameOf(number, "exact visibility"));
     now.truth = findTruth(*now.stage, now.samples, frame.shot.lights);

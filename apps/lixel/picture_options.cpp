@@ -11,9 +11,11 @@
 #include "option_checks.h"
 #include "text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include <CLI/CLI.hpp>
@@ -267,21 +269,26 @@ PathShooting preparePath(const PictureOptions& options, const PathOptions& path)
     const bool sceneMoves = !path.isStill && (scene.animate || !scene.animations.empty());
     const bool lightsMove = sceneMoves && scene.views.empty() && !scene.lights.empty(); // with nodes of the file
     Box eyes;
+    DepthRange depths{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    const Box sceneAtBegin = shooting.sceneWorld;
     for (const double time : times) {
         if (sceneMoves && time > times.front()) {
             shooting.evaluateOptions.time = time;
             shooting.sceneWorld = sceneBounds(scene, shooting.evaluateOptions);
         }
-        PathFrame& frame =
-            out.frames.emplace_back(PathFrame{time, shooting.evaluateOptions, shooting.sceneWorld, first});
+        PathFrame& frame = out.frames.emplace_back(PathFrame{time, shooting.evaluateOptions, first, {}});
         if (lightsMove) frame.shot.lights = namedLights(placedIn(shooting));
         applyAll(opened, options, {time, path.isStill ? times.front() : time}, frame.shot);
         if (frame.shot.lights.size() != out.frames.front().shot.lights.size())
             throw InputError(shooting.sceneName + ": lights come and go along the path, which cannot be compared");
         eyes.include(frame.shot.camera.eyeWorld);
+        const DepthRange here = depthRange(frame.shot.camera, shooting.sceneWorld);
+        depths = {std::min(depths.near, here.near), std::max(depths.far, here.far)};
     }
+    for (PathFrame& frame : out.frames)
+        frame.view = makeView(frame.shot.camera, shooting.width, shooting.height, depths);
     shooting.evaluateOptions = out.frames.front().evaluateOptions;
-    shooting.sceneWorld = out.frames.front().sceneWorld;
+    shooting.sceneWorld = sceneAtBegin;
     shooting.shots = {out.frames.front().shot};
     out.originWorld = chooseOrigin(eyes.centre(), shooting.sceneWorld);
     out.shooting = std::move(shooting);

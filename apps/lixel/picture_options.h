@@ -70,11 +70,13 @@ struct PathFrame
 {
     double time = 0; // seconds
     EvaluateOptions evaluateOptions;
-    Box sceneWorld; // at that time
     Shot shot;
+    View view;
 };
 
-// A scene with the frames of its path, or of the view file's, at least two. Floats of all frames are counted from one origin.
+// A scene with the frames of its path, or of the view file's, at least two. Floats of all frames are counted from one origin,
+// and near and far planes that the camera leaves open are the same in all frames: as in a program that runs along the path,
+// nothing changes between frames that need not.
 struct PathShooting
 {
     Shooting shooting; // as the path begins
