@@ -5,11 +5,14 @@
 #include "lixel/report/html.h"
 #include "lixel/report/json.h"
 #include "lixel/report/write_file.h"
+#include "option_checks.h"
 #include "output.h"
+#include "path_comparison.h"
 #include "run_results.h"
 #include "text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -22,6 +25,7 @@ namespace {
 struct CompareOptions
 {
     PictureOptions picture;
+    PathOptions path;
     std::string techniques = "uniform,focused";
     std::string lixels = "512x512";
     std::string output;
@@ -48,10 +52,28 @@ std::vector<TechniqueChoice> withExact(std::vector<TechniqueChoice> techniques)
     return techniques;
 }
 
-void printSummary(const RunResults& results, std::FILE* to)
+std::string percent(std::int64_t part, std::int64_t whole)
 {
-    fmt::print(to, "{:<24} {:<14} {:<34} {:<6} {:>14} {:>12} {:>10}\n", "view", "light", "technique", "by",
+    return whole > 0 ? fmt::format("{:.4f} %", 100.0 * double(part) / double(whole)) : "no samples";
+}
+
+// Steadiness, and what it costs in sharpness.
+std::string temporalColumns(const Measurement& m)
+{
+    const auto number = [](const std::optional<Percentiles>& of, double Percentiles::*which) {
+        return of ? fmt::format("{:.2f}", *of.*which) : "";
+    };
+    return fmt::format("{:>12} {:>14} {:>14}", percent(m.temporal->all.flips, m.temporal->all.samples),
+                       number(m.footprintPixelsPerLixel, &Percentiles::p50),
+                       number(m.footprintPixelsPerLixel, &Percentiles::p90));
+}
+
+void printSummary(const RunResults& results, bool isPath, std::FILE* to)
+{
+    fmt::print(to, "{:<24} {:<14} {:<34} {:<6} {:>14} {:>12} {:>10}", "view", "light", "technique", "by",
                "misclassified", "interior", "frame");
+    fmt::print(to, "{}\n",
+               isPath ? fmt::format(" {:>12} {:>14} {:>14}", "flips", "footprint p50", "footprint p90") : "");
     for (const ResultRow& row : results.rows) {
         fmt::print(to, "{:<24} {:<14} {:<34} {:<6} ", row.view, row.light, row.technique, row.executor);
         if (const Refusal* refusal = row.refused()) {
@@ -59,12 +81,10 @@ void printSummary(const RunResults& results, std::FILE* to)
             continue;
         }
         const Measurement& m = *row.measured();
-        const auto percent = [](std::int64_t part, std::int64_t whole) {
-            return whole > 0 ? fmt::format("{:.4f} %", 100.0 * double(part) / double(whole)) : "no samples";
-        };
-        fmt::print(to, "{:>14} {:>12} {:>10}\n", percent(m.misclassified, m.lightFacing),
+        fmt::print(to, "{:>14} {:>12} {:>10}{}\n", percent(m.misclassified, m.lightFacing),
                    percent(m.interior.misclassified, m.interior.samples),
-                   m.timing.frameMs ? fmt::format("{:.1f} ms", *m.timing.frameMs) : "");
+                   m.timing.frameMs ? fmt::format("{:.1f} ms", *m.timing.frameMs) : "",
+                   m.temporal ? " " + temporalColumns(m) : "");
     }
 }
 
@@ -97,6 +117,24 @@ std::vector<ResultRow> compareAll(const Shooting& shooting, std::span<const std:
     return all;
 }
 
+std::vector<ResultRow> compareFrames(const PathShooting& path, std::span<const std::unique_ptr<Executor>> executors,
+                                     const ComparisonOptions& options)
+{
+    Progress progress("compare", stepsOfPath(path, executors.size(), options));
+    return comparePath(path, executors, options, [&](std::string_view now) { progress.step(now); });
+}
+
+// --path alone is the whole of it; with --time one picture, unless frames are asked for too.
+bool isPathOfFrames(const CompareOptions& options)
+{
+    const bool asksForFrames = options.path.frames || options.path.fps || options.path.isStill;
+    if (asksForFrames && !options.picture.alongPath)
+        throw UsageError("--frames, --fps and --still go with --path, the scene's or the view file's");
+    if (options.path.fps && !(*options.path.fps > 0 && std::isfinite(*options.path.fps)))
+        throw UsageError("--fps: a number above 0 is expected");
+    return options.picture.alongPath && (asksForFrames || !options.picture.time);
+}
+
 // Refused as a whole: there were maps to make, and none could be made.
 int exitCodeOf(const RunResults& results)
 {
@@ -111,6 +149,7 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
     comparison.techniques = withExact(readTechniques(options.techniques));
     comparison.lixels = readSize(options.lixels, "--lixels", kMostLixelsASide);
     comparison.timingFrames = options.timingFrames;
+    const bool isPath = isPathOfFrames(options);
     if (options.output.empty() && options.json.empty())
         throw UsageError("compare: give -o FOLDER for the report, or --json FILE (or -)");
     if (options.output == "-") throw UsageError("compare -o -: expected the name of a folder");
@@ -119,12 +158,13 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
     if (!options.output.empty()) report.emplace(output, !options.withoutPictures);
     if (report && report->pictures) comparison.pictures = output;
     if (!options.json.empty()) expectWritable(options.json);
-    const Shooting shooting = prepare(options.picture, true);
+    const PathShooting path = isPath ? preparePath(options.picture, options.path) : PathShooting();
+    const Shooting shooting = isPath ? path.shooting : prepare(options.picture, true);
     const auto executors = makeExecutors(options.executor);
 
     RunResults results;
     const Stopwatch total;
-    results.rows = compareAll(shooting, executors, comparison);
+    results.rows = isPath ? compareFrames(path, executors, comparison) : compareAll(shooting, executors, comparison);
     finishResults(results, commandLine, total.seconds(), executors.front()->host());
 
     const std::string json = toJson(results);
@@ -136,7 +176,7 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
     tellWarnings(*shooting.scene);
     // With JSON on standard output the table goes beside it.
     std::FILE* const told = options.json == "-" ? stderr : stdout;
-    printSummary(results, told);
+    printSummary(results, isPath, told);
     if (report) fmt::print(told, "report: {}\n", (output / "report.html").string());
     return exitCodeOf(results);
 }
@@ -149,6 +189,18 @@ Command addCompare(CLI::App& parent, const std::string& commandLine)
     CLI::App* app =
         parent.add_subcommand("compare", "how wrong techniques are against exact visibility, and what they cost");
     addPictureOptions(*app, o->picture);
+    app->get_option("--path")->description(
+        "along the path of the scene or the view file, frame by frame, with the samples that flip between frames; "
+        "with --time alone one picture of it");
+    app->add_option("--frames", o->path.frames,
+                    fmt::format("with --path: how many frames of it, evenly from its begin, or --time, to its end; "
+                                "{} where neither --time nor --fps is given",
+                                kFramesOfPath))
+        ->check(CLI::Range(2, kMostFramesOfPath));
+    app->add_option("--fps", o->path.fps,
+                    "with --path: frames a second; with --frames only so many, from its begin or --time")
+        ->check(notEmpty());
+    app->add_flag("--still", o->path.isStill, "with --path: casters and light stay, only the camera moves");
     app->add_option("--techniques", o->techniques, "comma-separated (lixel techniques)")->capture_default_str();
     app->add_option("--lixels", o->lixels, "budget of each light, WIDTHxHEIGHT")->capture_default_str();
     app->add_option("-o,--output", o->output, "folder for results.json, report.html and pictures");

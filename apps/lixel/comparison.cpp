@@ -15,19 +15,6 @@
 #include <fmt/format.h>
 
 namespace lixel::app {
-namespace {
-
-// What the whole of one shot shares.
-struct ShotContext
-{
-    const Shooting& shooting;
-    const Shot& shot;
-    const Stage& stage;
-    const View& view;
-    const ViewSamples& samples;
-    const Truth& truth;
-    const ComparisonOptions& options;
-};
 
 ResultRow keyOf(const ShotContext& context, const TechniqueChoice& choice, std::size_t light, std::string_view executor)
 {
@@ -53,20 +40,14 @@ std::optional<Percentiles> percentiles(std::vector<double> values)
     return Percentiles{at(0.01), at(0.1), at(0.5), at(0.9), at(0.99), values.back()};
 }
 
-// Footprint and density of every light-facing sample that the light's map serves.
-struct Density
-{
-    Image<float> lixelsPerPixel; // NaN where there is none
-    std::vector<double> pixelsPerLixel, lixelsPerPixelList;
-};
-
-Density densityOf(const ShotContext& context, const ShadowPlan& plan, std::size_t light)
+Density densityOf(const ShotContext& context, const ShadowPlan& plan, std::size_t light, std::size_t first,
+                  std::size_t step)
 {
     Density out;
     out.lixelsPerPixel =
         Image<float>(context.samples.width, context.samples.height, std::numeric_limits<float>::quiet_NaN());
     const ServedFootprints footprints(context.view, context.samples.originWorld, plan);
-    for (std::size_t i = 0; i < context.samples.size(); ++i) {
+    for (std::size_t i = first; i < context.samples.size(); i += step) {
         if (context.truth.zones[light][i] == Zone::FacingAway) continue;
         const auto f = footprints.at(toDouble(context.samples.positionLocal[i]), toDouble(context.samples.normal[i]));
         if (!f) continue;
@@ -77,13 +58,10 @@ Density densityOf(const ShotContext& context, const ShadowPlan& plan, std::size_
     return out;
 }
 
-Image<Verdict> verdicts(const ShotContext& context, std::size_t light, const Visibility& visibility)
+Agreement agreementWith(std::string_view other, const ExecutorAgreement& a)
 {
-    Image<Verdict> out(context.samples.width, context.samples.height, Verdict::NotCounted);
-    for (std::size_t i = 0; i < context.samples.size(); ++i)
-        out(int(context.samples.pixel[i].x), int(context.samples.pixel[i].y)) =
-            verdictOf(context.truth.zones[light][i], visibility.value[i], context.truth.exact[light][i]);
-    return out;
+    return {std::string(other), a.agreementPercent(),
+            a.misclassifiedByEither > 0 ? std::optional(a.sharedMisclassifiedPercent()) : std::nullopt};
 }
 
 Measurement measured(const ShotContext& context, std::size_t light, const Visibility& visibility)
@@ -99,6 +77,17 @@ Measurement measured(const ShotContext& context, std::size_t light, const Visibi
     m.terminatorBand = {s.terminatorBand.samples, s.terminatorBand.misclassified};
     m.interior = {s.interior.samples, s.interior.misclassified};
     return m;
+}
+
+namespace {
+
+Image<Verdict> verdicts(const ShotContext& context, std::size_t light, const Visibility& visibility)
+{
+    Image<Verdict> out(context.samples.width, context.samples.height, Verdict::NotCounted);
+    for (std::size_t i = 0; i < context.samples.size(); ++i)
+        out(int(context.samples.pixel[i].x), int(context.samples.pixel[i].y)) =
+            verdictOf(context.truth.zones[light][i], visibility.value[i], context.truth.exact[light][i]);
+    return out;
 }
 
 // Writes pictures under names that tell what they are, and remembers them by their path below the run's folder.
@@ -139,7 +128,8 @@ void addMap(const ShotContext& context, const FramePlan& plan, std::size_t light
     m.densityLixelsPerPixel = percentiles(std::move(density.lixelsPerPixelList));
 }
 
-// The rows of one technique by one executor: one a light.
+} // namespace
+
 std::vector<ResultRow> rowsOf(const ShotContext& context, Executor& executor, const TechniqueChoice& choice,
                               std::span<const Visibility> visibility, const FramePlan* plan)
 {
@@ -174,6 +164,8 @@ std::vector<ResultRow> rowsOf(const ShotContext& context, Executor& executor, co
     return rows;
 }
 
+namespace {
+
 // Rows of the two executors side by side carry how far they agree.
 void addAgreement(const ShotContext& context, std::vector<ResultRow>& rows,
                   std::span<const std::vector<Visibility>> visibility,
@@ -186,9 +178,7 @@ void addAgreement(const ShotContext& context, std::vector<ResultRow>& rows,
             if (!m) continue;
             const ExecutorAgreement a = agreement(context.truth.zones[light], visibility[0][light],
                                                   visibility[1][light], context.truth.exact[light]);
-            m->agreement =
-                Agreement{std::string(executors[1 - e]->name()), a.agreementPercent(),
-                          a.misclassifiedByEither > 0 ? std::optional(a.sharedMisclassifiedPercent()) : std::nullopt};
+            m->agreement = agreementWith(executors[1 - e]->name(), a);
         }
 }
 

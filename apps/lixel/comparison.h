@@ -50,4 +50,45 @@ std::vector<ResultRow> compareShot(const Shooting& shooting, const Shot& shot, c
 // Steps that compareShot() reports.
 int stepsPerShot(std::size_t executors, const ComparisonOptions& options);
 
+// ---- what compareShot() is made of, for those who compare many frames
+
+// What the whole of one shot shares.
+struct ShotContext
+{
+    const Shooting& shooting;
+    const Shot& shot;
+    const Stage& stage;
+    const View& view;
+    const ViewSamples& samples;
+    const Truth& truth;
+    const ComparisonOptions& options;
+};
+
+// A row without outcome.
+ResultRow keyOf(const ShotContext& context, const TechniqueChoice& choice, std::size_t light,
+                std::string_view executor);
+
+// The counts of a row.
+Measurement measured(const ShotContext& context, std::size_t light, const Visibility& visibility);
+
+Agreement agreementWith(std::string_view other, const ExecutorAgreement& counts);
+
+// Footprint and density of light-facing samples that the light's map serves.
+struct Density
+{
+    Image<float> lixelsPerPixel; // NaN where there is none
+    std::vector<double> pixelsPerLixel, lixelsPerPixelList;
+};
+
+// Of every `step`-th sample, the one with number `first` among them.
+Density densityOf(const ShotContext& context, const ShadowPlan& plan, std::size_t light, std::size_t first = 0,
+                  std::size_t step = 1);
+
+// Nothing of nothing.
+std::optional<Percentiles> percentiles(std::vector<double> values);
+
+// The rows of one technique by one executor, with pictures and times: one a light. `plan`: null without a map.
+std::vector<ResultRow> rowsOf(const ShotContext& context, Executor& executor, const TechniqueChoice& choice,
+                              std::span<const Visibility> visibility, const FramePlan* plan);
+
 } // namespace lixel::app

@@ -11,9 +11,11 @@
 #include "option_checks.h"
 #include "text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include <CLI/CLI.hpp>
@@ -83,6 +85,13 @@ std::vector<Shot> framedShots(const Shooting& shooting, const std::vector<Light>
     return shots;
 }
 
+std::vector<Light> namedLights(Placed placed)
+{
+    std::set<std::string> taken;
+    for (Light& light : placed.lights) light.name = distinctName(light.name, taken);
+    return std::move(placed.lights);
+}
+
 // All views that have a name: a built-in scene's, or each camera of a file with all its lights. Else automatic framings.
 std::vector<Shot> shotsOf(const Shooting& shooting)
 {
@@ -91,12 +100,12 @@ std::vector<Shot> shotsOf(const Shooting& shooting)
     if (!shots.empty()) return shots;
 
     Placed placed = placedIn(shooting);
-    std::set<std::string> viewNames, lightNames;
-    for (Light& light : placed.lights) light.name = distinctName(light.name, lightNames);
-    if (placed.cameras.empty()) return framedShots(shooting, placed.lights);
-    if (placed.lights.empty()) placed.lights = {defaultSun()};
-    for (const Camera& camera : placed.cameras)
-        shots.push_back({distinctName(camera.name, viewNames), camera, placed.lights});
+    const std::vector<Camera> cameras = std::move(placed.cameras);
+    std::vector<Light> lights = namedLights(std::move(placed));
+    if (cameras.empty()) return framedShots(shooting, lights);
+    if (lights.empty()) lights = {defaultSun()};
+    std::set<std::string> names;
+    for (const Camera& camera : cameras) shots.push_back({distinctName(camera.name, names), camera, lights});
     return shots;
 }
 
@@ -114,17 +123,23 @@ std::vector<Shot> chosen(std::vector<Shot> shots, const std::string& wanted, boo
         "--view \"{}\": the scene has no such view (it has: {}); a view file's name has a / or a .", wanted, names));
 }
 
-void applyPath(std::span<const PathKey> path, double time, Shot& shot)
+// Camera and light may be at different moments of it.
+struct PathTimes
 {
-    shot.camera = cameraAt(path, time, shot.camera);
-    shot.lights = lightsAt(path, time, shot.lights);
+    double camera = 0, light = 0; // seconds
+};
+
+void applyPath(std::span<const PathKey> path, PathTimes times, Shot& shot)
+{
+    shot.camera = cameraAt(path, times.camera, shot.camera);
+    shot.lights = lightsAt(path, times.light, shot.lights);
 }
 
-void applyViewFile(const ViewFile& file, double time, Shot& shot)
+void applyViewFile(const ViewFile& file, PathTimes times, Shot& shot)
 {
     if (file.camera) shot.camera = *file.camera;
     if (!file.lights.empty()) shot.lights = file.lights;
-    if (!file.path.empty()) applyPath(file.path, time, shot);
+    if (!file.path.empty()) applyPath(file.path, times, shot);
 }
 
 // A camera of the scene may have a name with a dot too, as "Camera.001".
@@ -134,6 +149,80 @@ std::optional<ViewFile> viewFileOf(const std::string& view)
     const bool isFile = view.find('/') != view.npos || view.ends_with(".json") ||
                         (looksLikePath(view) && std::filesystem::exists(view, error));
     return isFile ? std::optional(readViewFile(view)) : std::nullopt;
+}
+
+// The scene and what was asked of it, before a time is chosen.
+struct Opened
+{
+    Shooting shooting; // scene, its name and the picture's size
+    std::optional<ViewFile> viewFile;
+
+    // The one that moves the camera; empty where there is none.
+    std::span<const PathKey> path() const
+    {
+        return viewFile && !viewFile->path.empty() ? viewFile->path : shooting.scene->path;
+    }
+};
+
+Opened openShooting(const PictureOptions& options)
+{
+    // Options first: a slip is told before a large file is read.
+    const LixelSize size = readSize(options.size, "--size", kMostPixelsASide);
+    if (options.time && !(*options.time >= 0 && std::isfinite(*options.time)))
+        throw UsageError("--time: a finite number of seconds from 0 is expected");
+    if (options.alongPath && options.view == "all")
+        throw UsageError("--path gives one view: --view all does not go with it");
+    checkFlags(options.flags);
+    Opened out;
+    out.viewFile = viewFileOf(options.view);
+    out.shooting.sceneName = options.scene;
+    out.shooting.width = size.width;
+    out.shooting.height = size.height;
+    out.shooting.scene = std::make_shared<const Scene>(openScene(options.scene));
+    const Scene& scene = *out.shooting.scene;
+    if (options.animation && (*options.animation < 0 || *options.animation >= int(scene.animations.size())))
+        throw UsageError(fmt::format("--animation {}: the scene has {}{}", *options.animation, scene.animations.size(),
+                                     scene.animations.empty() ? "" : ", counted from 0"));
+    if (options.alongPath && out.path().empty())
+        throw UsageError("--path: neither the scene nor the view file has a path");
+    return out;
+}
+
+// What path, view file and flags put in the place of a shot's own camera and lights.
+void applyAll(const Opened& opened, const PictureOptions& options, PathTimes times, Shot& shot)
+{
+    if (options.alongPath && !opened.shooting.scene->path.empty()) {
+        shot.name = "path";
+        applyPath(opened.shooting.scene->path, times, shot);
+    }
+    if (opened.viewFile) {
+        shot.name = options.view;
+        applyViewFile(*opened.viewFile, times, shot);
+    }
+    shot.camera = withFlags(options.flags, shot.camera);
+    if (const std::optional<Light> onlyLight = lightOf(options.flags)) shot.lights = {*onlyLight};
+}
+
+// The moments of the frames, at least two, none past the path's end.
+std::vector<double> timesOf(std::span<const PathKey> path, std::optional<double> begin, const PathOptions& options)
+{
+    const double from = begin.value_or(path.front().time), to = path.back().time;
+    if (!(from < to)) throw UsageError(fmt::format("--path: nothing is left of it at {} s, it ends at {} s", from, to));
+    int count = options.frames.value_or(kFramesOfPath);
+    if (options.fps) {
+        const double fitting = std::floor((to - from) * *options.fps + 1e-6) + 1; // frames that the path has time for
+        if (options.frames && fitting < count)
+            throw UsageError(fmt::format("--frames {} at --fps {}: the path has time for {}", count, *options.fps,
+                                         std::int64_t(std::min(fitting, 1e9))));
+        if (!options.frames && !(fitting >= 2 && fitting <= kMostFramesOfPath))
+            throw UsageError(fmt::format("--fps {}: expected what makes 2 to {} frames of the path's {} s",
+                                         *options.fps, kMostFramesOfPath, to - from));
+        if (!options.frames) count = int(fitting);
+    }
+    std::vector<double> times;
+    for (int i = 0; i < count; ++i)
+        times.push_back(options.fps ? std::min(from + i / *options.fps, to) : from + (to - from) * i / (count - 1));
+    return times;
 }
 
 } // namespace
@@ -146,51 +235,64 @@ void addPictureOptions(CLI::App& command, PictureOptions& o)
     command.add_option("--size", o.size, "of the picture, WIDTHxHEIGHT pixels")->capture_default_str();
     command.add_option("--time", o.time, "seconds from 0, of animations and paths")->check(notEmpty());
     command.add_option("--animation", o.animation, "which animation of the file plays, from 0")->check(notEmpty());
-    command.add_flag("--path", o.alongPath, "take camera and light from the scene's path at --time");
+    command.add_flag("--path", o.alongPath,
+                     "take camera and light from the path of the scene or the view file, at --time");
     addViewFlags(command, o.flags);
 }
 
 Shooting prepare(const PictureOptions& options, bool takeAll)
 {
-    // Options first: a slip is told before a large file is read.
-    const LixelSize size = readSize(options.size, "--size", kMostPixelsASide);
-    if (options.time && !(*options.time >= 0 && std::isfinite(*options.time)))
-        throw UsageError("--time: a finite number of seconds from 0 is expected");
-    if (options.alongPath && options.view == "all")
-        throw UsageError("--path gives one view: --view all does not go with it");
-    checkFlags(options.flags);
-    const std::optional<ViewFile> viewFile = viewFileOf(options.view);
-    Shooting shooting;
-    shooting.sceneName = options.scene;
-    shooting.width = size.width;
-    shooting.height = size.height;
-    shooting.scene = std::make_shared<const Scene>(openScene(options.scene));
-    const Scene& scene = *shooting.scene;
-    if (options.animation && (*options.animation < 0 || *options.animation >= int(scene.animations.size())))
-        throw UsageError(fmt::format("--animation {}: the scene has {}{}", *options.animation, scene.animations.size(),
-                                     scene.animations.empty() ? "" : ", counted from 0"));
-    if (options.alongPath && scene.path.empty() && !(viewFile && !viewFile->path.empty()))
-        throw UsageError("--path: neither the scene nor the view file has a path");
-
+    Opened opened = openShooting(options);
+    const std::optional<ViewFile>& viewFile = opened.viewFile;
+    Shooting& shooting = opened.shooting;
     const double time = options.time ? *options.time : viewFile && viewFile->time ? *viewFile->time : 0.0;
     shooting.evaluateOptions = {time, options.animation.value_or(0)};
-    shooting.sceneWorld = sceneBounds(scene, shooting.evaluateOptions);
-    const bool takesBuiltins = takeAll && !scene.views.empty() && !viewFile && !options.alongPath;
+    shooting.sceneWorld = sceneBounds(*shooting.scene, shooting.evaluateOptions);
+    const bool takesBuiltins = takeAll && !shooting.scene->views.empty() && !viewFile && !options.alongPath;
     shooting.shots = chosen(shotsOf(shooting), viewFile ? "" : options.view, takesBuiltins);
-    const std::optional<Light> onlyLight = lightOf(options.flags);
-    for (Shot& shot : shooting.shots) {
-        if (options.alongPath && !scene.path.empty()) {
-            shot.name = "path";
-            applyPath(scene.path, time, shot);
+    for (Shot& shot : shooting.shots) applyAll(opened, options, {time, time}, shot);
+    return std::move(shooting);
+}
+
+PathShooting preparePath(const PictureOptions& options, const PathOptions& path)
+{
+    Opened opened = openShooting(options);
+    const std::vector<double> times = timesOf(opened.path(), options.time, path);
+    Shooting& shooting = opened.shooting;
+    const Scene& scene = *shooting.scene;
+    shooting.evaluateOptions = {times.front(), options.animation.value_or(0)};
+    shooting.sceneWorld = sceneBounds(scene, shooting.evaluateOptions);
+    const Shot first = chosen(shotsOf(shooting), opened.viewFile ? "" : options.view, false).front();
+
+    PathShooting out;
+    out.isStill = path.isStill;
+    const bool sceneMoves = !path.isStill && (scene.animate || !scene.animations.empty());
+    const bool lightsMove = sceneMoves && scene.views.empty() && !scene.lights.empty(); // with nodes of the file
+    Box eyes;
+    DepthRange depths{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    const Box sceneAtBegin = shooting.sceneWorld;
+    for (const double time : times) {
+        if (sceneMoves && time > times.front()) {
+            shooting.evaluateOptions.time = time;
+            shooting.sceneWorld = sceneBounds(scene, shooting.evaluateOptions);
         }
-        if (viewFile) {
-            shot.name = options.view;
-            applyViewFile(*viewFile, time, shot);
-        }
-        shot.camera = withFlags(options.flags, shot.camera);
-        if (onlyLight) shot.lights = {*onlyLight};
+        PathFrame& frame = out.frames.emplace_back(PathFrame{time, shooting.evaluateOptions, first, {}});
+        if (lightsMove) frame.shot.lights = namedLights(placedIn(shooting));
+        applyAll(opened, options, {time, path.isStill ? times.front() : time}, frame.shot);
+        if (frame.shot.lights.size() != out.frames.front().shot.lights.size())
+            throw InputError(shooting.sceneName + ": lights come and go along the path, which cannot be compared");
+        eyes.include(frame.shot.camera.eyeWorld);
+        const DepthRange here = depthRange(frame.shot.camera, shooting.sceneWorld);
+        depths = {std::min(depths.near, here.near), std::max(depths.far, here.far)};
     }
-    return shooting;
+    for (PathFrame& frame : out.frames)
+        frame.view = makeView(frame.shot.camera, shooting.width, shooting.height, depths);
+    shooting.evaluateOptions = out.frames.front().evaluateOptions;
+    shooting.sceneWorld = sceneAtBegin;
+    shooting.shots = {out.frames.front().shot};
+    out.originWorld = chooseOrigin(eyes.centre(), shooting.sceneWorld);
+    out.shooting = std::move(shooting);
+    return out;
 }
 
 View viewOf(const Shooting& shooting, const Shot& shot)

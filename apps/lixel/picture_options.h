@@ -8,8 +8,13 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 // What a picture is taken of: the scene, its views, lights and the time, from options, view file and scene, in this order of
 // precedence.
@@ -49,6 +54,39 @@ struct Shooting
 
 // Throws InputError, UsageError. `takeAll`: a built-in scene without --view gives all its views, else its first.
 Shooting prepare(const PictureOptions& options, bool takeAll);
+
+inline constexpr int kFramesOfPath = 30; // where nothing else is said
+inline constexpr int kMostFramesOfPath = 100'000;
+
+// Which moments of a path are shown one after the other.
+struct PathOptions
+{
+    std::optional<int> frames; // from 2: evenly over the path, or 1 / fps apart
+    std::optional<double> fps; // a second; without `frames` as many as the path has time for
+    bool isStill = false;      // casters and light stay as they are where it begins
+};
+
+struct PathFrame
+{
+    double time = 0; // seconds
+    EvaluateOptions evaluateOptions;
+    Shot shot;
+    View view;
+};
+
+// A scene with the frames of its path, or of the view file's, at least two. Floats of all frames are counted from one origin,
+// and near and far planes that the camera leaves open are the same in all frames: as in a program that runs along the path,
+// nothing changes between frames that need not.
+struct PathShooting
+{
+    Shooting shooting; // as the path begins
+    Vec3d originWorld;
+    std::vector<PathFrame> frames;
+    bool isStill = false;
+};
+
+// Throws InputError, UsageError. The path begins at --time, by default at its first key.
+PathShooting preparePath(const PictureOptions& options, const PathOptions& path);
 
 View viewOf(const Shooting& shooting, const Shot& shot);
 Vec3d originOf(const Shooting& shooting, const Shot& shot); // what floats are counted from, World

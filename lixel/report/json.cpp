@@ -33,6 +33,31 @@ Json percentiles(const std::optional<Percentiles>& of)
     return {{"p1", of->p1}, {"p10", of->p10}, {"p50", of->p50}, {"p90", of->p90}, {"p99", of->p99}, {"max", of->max}};
 }
 
+void putFlips(Json& json, const std::string& prefix, const FlipCount& count)
+{
+    json[prefix + "samples"] = count.samples;
+    json[prefix + "flips"] = count.flips;
+    json[prefix + "flips_percent"] = percent(count.flips, count.samples);
+}
+
+Json temporal(const Temporal& of)
+{
+    Json pairs = Json::array();
+    for (const FramePairFlips& pair : of.pairs)
+        pairs.push_back({{"seconds", pair.seconds}, {"samples", pair.count.samples}, {"flips", pair.count.flips}});
+    Json json = {{"frames", of.frames},
+                 {"refused_frames", of.refusedFrames},
+                 {"from_seconds", of.fromSeconds},
+                 {"to_seconds", of.toSeconds},
+                 {"still", of.isStill},
+                 {"pairs", pairs}};
+    putFlips(json, "", of.all);
+    putFlips(json, "edge_band_", of.edgeBand);
+    putFlips(json, "terminator_band_", of.terminatorBand);
+    putFlips(json, "interior_", of.interior);
+    return json;
+}
+
 Json pictures(const PictureFiles& files)
 {
     Json json = Json::object();
@@ -69,6 +94,7 @@ void putMeasurement(Json& row, const Measurement& of)
         row["agreement_percent"] = of.agreement->agreementPercent;
         row["shared_misclassified_percent"] = orNull(of.agreement->sharedMisclassifiedPercent);
     }
+    if (of.temporal) row["temporal"] = temporal(*of.temporal);
     row["pictures"] = pictures(of.pictures);
     row["timing"] = timing(of.timing);
 }

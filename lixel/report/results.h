@@ -33,6 +33,31 @@ struct Agreement
         sharedMisclassifiedPercent; // of the samples that either got wrong, those that both did; no value: none wrong
 };
 
+// Samples that could flip between two frames, and those that do (judge/temporal.h).
+struct FlipCount
+{
+    std::int64_t samples = 0;
+    std::int64_t flips = 0;
+};
+
+// From the frame before to the one at this time.
+struct FramePairFlips
+{
+    double seconds = 0;
+    FlipCount count;
+};
+
+// How steady shadows are along a path. The row's counts are then sums over its frames.
+struct Temporal
+{
+    std::int64_t frames = 0;
+    std::int64_t refusedFrames = 0; // which count nowhere else
+    double fromSeconds = 0, toSeconds = 0;
+    bool isStill = false; // casters and light were held, only the camera moved
+    FlipCount all, edgeBand, terminatorBand, interior;
+    std::vector<FramePairFlips> pairs; // one less than frames; no samples where either frame was refused
+};
+
 // Files of the run's folder, relative to it; empty: not made.
 struct PictureFiles
 {
@@ -76,6 +101,7 @@ struct Measurement
     std::optional<Percentiles> footprintPixelsPerLixel; // no value: a technique without a map
     std::optional<Percentiles> densityLixelsPerPixel;
     std::optional<Agreement> agreement;
+    std::optional<Temporal> temporal; // no value: of a single picture
     PictureFiles pictures;
     RowTiming timing;
 };

@@ -83,7 +83,11 @@ DepthRange depthRange(const Camera& camera, const Box& sceneWorld)
 
 View makeView(const Camera& camera, int width, int height, const Box& sceneWorld)
 {
-    const DepthRange range = depthRange(camera, sceneWorld);
+    return makeView(camera, width, height, depthRange(camera, sceneWorld));
+}
+
+View makeView(const Camera& camera, int width, int height, const DepthRange& range)
+{
     if (camera.orthographicHeight > 0)
         return orthographicView(camera.eyeWorld, camera.targetWorld, camera.up, camera.orthographicHeight, range.near,
                                 range.far, width, height);

@@ -27,4 +27,7 @@ DepthRange depthRange(const Camera& camera, const Box& sceneWorld);
 // Needs a camera that checkCamera() (view_file.h) finds nothing wrong with, and a picture of at least one pixel.
 View makeView(const Camera& camera, int width, int height, const Box& sceneWorld);
 
+// With depths in place of the camera's own: what serves several frames must not change between them.
+View makeView(const Camera& camera, int width, int height, const DepthRange& range);
+
 } // namespace lixel

@@ -160,15 +160,7 @@ TEST_F(Compare, AllViewsOfABuiltInSceneAreTaken)
 
 TEST_F(Compare, BothExecutorsSayHowFarTheyAgree)
 {
-    CommandOptions options;
-    options.folder = folder_.path();
-    const CommandResult probe =
-        runLixel({"render", "table", "--size", "8x8", "--lixels", "8x8", "-o", "probe.png"}, options);
-    if (probe.exitCode == 4) {
-        const char* required = std::getenv("LIXEL_REQUIRE_GL");
-        if (required && std::string(required) == "1") FAIL() << probe.err;
-        GTEST_SKIP() << "no graphics: " << probe.err;
-    }
+    if (const std::string missing = missingGraphics(folder_.path()); !missing.empty()) GTEST_SKIP() << missing;
     compare(
         {"table", "--view", "overview", "--size", "128x128", "--lixels", "256x256", "--executor", "both", "-o", "out"});
     EXPECT_EQ(schemaError(resultsText()), "");

@@ -37,6 +37,8 @@ TEST(Lists, HelpNamesEveryCommandAndItsOptions)
     for (const char* option : {"--view", "--size", "--time", "--path", "--eye", "--fovy", "--light-position",
                                "--technique", "--lixels", "--executor", "--exr", "--exact", "--footprint", "--density"})
         EXPECT_TRUE(holds(printed({"render", "--help"}), option)) << option;
+    for (const char* option : {"--techniques", "--frames", "--fps", "--still", "--timing-frames"})
+        EXPECT_TRUE(holds(printed({"compare", "--help"}), option)) << option;
 }
 
 TEST(Lists, TechniquesHaveEveryWordWithItsLightsAndRefusals)

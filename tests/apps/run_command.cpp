@@ -111,6 +111,18 @@ CommandResult runLixel(const std::vector<std::string>& arguments, const CommandO
     return result;
 }
 
+std::string missingGraphics(const std::filesystem::path& folder)
+{
+    CommandOptions options;
+    options.folder = folder;
+    const CommandResult probe =
+        runLixel({"render", "table", "--size", "8x8", "--lixels", "8x8", "-o", "probe.png"}, options);
+    if (probe.exitCode != 4) return "";
+    const char* required = std::getenv("LIXEL_REQUIRE_GL");
+    if (required && std::string(required) == "1") throw std::runtime_error(probe.err);
+    return "no graphics: " + probe.err;
+}
+
 std::string asTyped(const std::vector<std::string>& arguments)
 {
     std::string line = "lixel";

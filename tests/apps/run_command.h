@@ -27,6 +27,9 @@ struct CommandResult
 
 CommandResult runLixel(const std::vector<std::string>& arguments, const CommandOptions& options = {});
 
+// Nothing where OpenGL works here, else what the command line says; throws where LIXEL_REQUIRE_GL=1 wants it to work.
+std::string missingGraphics(const std::filesystem::path& folder);
+
 // "lixel a b c", for messages.
 std::string asTyped(const std::vector<std::string>& arguments);
 

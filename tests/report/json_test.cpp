@@ -32,7 +32,11 @@ std::string withoutTiming(const std::string& text)
     return json.dump();
 }
 
-TEST(ResultsJson, IsValidByItsSchema) { EXPECT_EQ(schemaError(toJson(sampleRun())), ""); }
+TEST(ResultsJson, IsValidByItsSchema)
+{
+    EXPECT_EQ(schemaError(toJson(sampleRun())), "");
+    EXPECT_EQ(schemaError(toJson(samplePath())), "");
+}
 
 TEST(ResultsJson, IsValidWhenNothingWasMeasuredOrCounted)
 {
@@ -46,7 +50,7 @@ TEST(ResultsJson, IsValidWhenNothingWasMeasuredOrCounted)
 // The schema is closed: it finds what a later change adds, drops or misspells.
 TEST(ResultsJson, SchemaForbidsOtherMembers)
 {
-    const Json good = Json::parse(toJson(sampleRun()));
+    const Json good = Json::parse(toJson(samplePath()));
     const auto broken = [&](auto change) {
         Json json = good;
         change(json);
@@ -60,6 +64,9 @@ TEST(ResultsJson, SchemaForbidsOtherMembers)
     EXPECT_NE(broken([](Json& json) { json["results"][0]["size"] = "wide"; }), "");
     EXPECT_NE(broken([](Json& json) { json["results"][0]["timing"]["frame_ms"] = "3"; }), "");
     EXPECT_NE(broken([](Json& json) { json["results"][0].erase("timing"); }), "");
+    EXPECT_NE(broken([](Json& json) { json["results"][0]["temporal"]["extra"] = 1; }), "");
+    EXPECT_NE(broken([](Json& json) { json["results"][0]["temporal"].erase("flips"); }), "");
+    EXPECT_NE(broken([](Json& json) { json["results"][0]["temporal"]["pairs"][0]["flips"] = -1; }), "");
 }
 
 TEST(ResultsJson, OrderOfRowsIsNothing)
@@ -119,6 +126,20 @@ TEST(ResultsJson, PercentagesAreThoseOfTheCounts)
     const Json row = Json::parse(toJson(run))["results"][0];
     EXPECT_EQ(row["misclassified_percent"], 0.375);
     EXPECT_TRUE(row["interior_percent"].is_null()); // a share of nothing
+}
+
+TEST(ResultsJson, FlipsAreToldOfPathsOnlyWithTheirShares)
+{
+    EXPECT_FALSE(Json::parse(toJson(sampleRun()))["results"][0].contains("temporal"));
+    RunResults run = samplePath();
+    run.rows = {run.rows.front()};
+    Temporal& temporal = *firstMeasured(run).temporal;
+    temporal.all = {800, 3};
+    temporal.terminatorBand = {0, 0};
+    const Json told = Json::parse(toJson(run))["results"][0]["temporal"];
+    EXPECT_EQ(told["flips_percent"], 0.375);
+    EXPECT_TRUE(told["terminator_band_flips_percent"].is_null()); // a share of nothing
+    EXPECT_EQ(told["pairs"].size() + 1, told["frames"].get<std::size_t>());
 }
 
 TEST(ResultsJson, InfinityIsNull)

@@ -237,9 +237,18 @@ def next_view_opens(page):
     pictures_appear(page)
 
 
+def is_path(page):
+    return page.run("return run.results.some(row => row.temporal)")
+
+
 def tables_sort(page):
+    for start in ("Misclassified", *(["Flips"] if is_path(page) else [])):
+        table_sorts_by(page, start)
+
+
+def table_sorts_by(page, start):
     heading = ("[...document.querySelectorAll('#rows-table thead th')]"
-               ".findIndex(h => h.textContent.startsWith('Misclassified'))")
+               ".findIndex(h => h.textContent.startsWith('%s'))" % start)
     values = ("const at = %s; return [...document.querySelectorAll('#rows-table tbody tr')]"
               ".map(r => Number(r.cells[at].textContent))" % heading)
     index = page.run("return " + heading) + 1
@@ -257,7 +266,23 @@ def tables_sort(page):
 def charts_show(page):
     page.run("scrollTo(0, 0)")
     bars = page.run("return [...document.querySelectorAll('.chart svg')].map(s => s.querySelectorAll('rect').length)")
-    check(len(bars) == 2 and min(bars) > 1, f"error and cost have bars: {bars}")
+    expected = 3 if is_path(page) else 2  # error, cost, and flips
+    check(len(bars) == expected and min(bars) > 1, f"error and cost have bars, along a path flips too: {bars}")
+
+
+def flips_show(page):
+    if not is_path(page):
+        return
+    svg = "document.querySelector('.chart:last-child svg')"
+    columns = page.run(f"return {svg}.querySelectorAll('rect.flips').length")
+    expected = page.run("return summary.filter(row => row.technique !== 'exact')"
+                        ".reduce((sum, row) => sum + row.pairs.length, 0)")
+    check(columns == expected > 0, f"each pair of frames has its column: {columns} of {expected}")
+    highest = page.run(f"return Math.max(...[...{svg}.querySelectorAll('rect.flips')]"
+                       ".map(r => r.height.baseVal.value))")
+    check(highest == 38, f"the highest column fills its strip: {highest}")
+    told = page.run("return document.getElementById('summary-note').textContent")
+    check("9 frames from 0.5 s to 4.5 s" in told, f"the path is told: {told}")
 
 
 def command_stands_there(page):
@@ -295,7 +320,7 @@ def console_is_quiet(page):
 
 STEPS = [
     pictures_appear, differences_become_whole_pictures, slider_moves, techniques_change, error_overlay_toggles,
-    density_shows_with_its_legend, zoom_works, next_view_opens, tables_sort, charts_show, command_stands_there,
+    density_shows_with_its_legend, zoom_works, next_view_opens, tables_sort, charts_show, flips_show, command_stands_there,
     refusals_are_told, fits_every_width, needs_nothing_from_outside, console_is_quiet,
 ]
 

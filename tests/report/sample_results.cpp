@@ -94,6 +94,25 @@ Measurement measure(SampleScene& scene, const SampleTechnique& technique)
     return measurement;
 }
 
+// The more errors a technique has, the more of them flip, in waves; the third frame was refused.
+Temporal anyFlips(const Measurement& of)
+{
+    Temporal temporal;
+    temporal.frames = 9;
+    temporal.refusedFrames = 1;
+    temporal.fromSeconds = 0.5, temporal.toSeconds = 4.5;
+    for (int i = 1; i < temporal.frames; ++i) {
+        const bool isRefused = i == 2 || i == 3;
+        const auto flips = std::int64_t(double(of.misclassified) * (1.2 + std::sin(i)) / 3);
+        const FlipCount count = isRefused ? FlipCount{} : FlipCount{of.lightFacing, flips};
+        temporal.pairs.push_back({0.5 + 0.5 * i, count});
+        temporal.all.samples += count.samples, temporal.all.flips += count.flips;
+    }
+    temporal.edgeBand = {temporal.all.samples / 5, temporal.all.flips};
+    temporal.interior = {temporal.all.samples - temporal.edgeBand.samples, 0};
+    return temporal;
+}
+
 PictureFiles writePictures(const fs::path& folder, const std::string& name, const SampleScene& scene)
 {
     const PictureFiles files{name + ".png", name + "-error.png", name + "-density.png"};
@@ -180,5 +199,14 @@ std::string readWhole(const fs::path& path)
 
 RunResults sampleRun(const fs::path& folder, int size) { return makeRun(folder, size); }
 RunResults sampleRun() { return makeRun({}, 32); }
+
+RunResults samplePath(const fs::path& folder, int size)
+{
+    RunResults run = makeRun(folder, size);
+    for (ResultRow& row : run.rows)
+        if (auto* measurement = std::get_if<Measurement>(&row.outcome)) measurement->temporal = anyFlips(*measurement);
+    return run;
+}
+RunResults samplePath() { return samplePath({}, 32); }
 
 } // namespace lixel::test

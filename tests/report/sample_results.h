@@ -31,4 +31,8 @@ RunResults sampleRun(const std::filesystem::path& folder, int size);
 // The same without pictures.
 RunResults sampleRun();
 
+// The same along a path: every measured row has flips.
+RunResults samplePath(const std::filesystem::path& folder, int size);
+RunResults samplePath();
+
 } // namespace lixel::test

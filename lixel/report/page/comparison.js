@@ -114,6 +114,7 @@ function figuresOf(row) {
   return [
     `${percentText(row.misclassified_percent)} % misclassified: ${countText(row.false_shadow)} false shadow, `
       + `${countText(row.false_lit)} false lit`,
+    ...(row.temporal ? [`${percentText(row.temporal.flips_percent)} % flips, picture of the frame in the middle`] : []),
     ...(passes.length ? [passes.join(", ")] : []),
   ];
 }

@@ -6,7 +6,7 @@ const percentileColumns = (label, key, names, unit) => names.map(name =>
 function showRows() {
   const group = {...column("View", groupName), title: "View and light; shows its pictures", open: row => openView(row)};
   const columns = [
-    group, ...techniqueColumns(), ...errorColumns,
+    group, ...techniqueColumns(), ...errorColumns, ...flipColumns,
     column("False shadow", "false_shadow", countText, "samples"),
     column("False lit", "false_lit", countText, "samples"),
     column("Unserved", "unserved", countText, "samples that no map covers"),
@@ -18,6 +18,14 @@ function showRows() {
   if (measured.some(row => row.agreement_with !== undefined)) columns.push(
     column("Agreement %", "agreement_percent", percentText, "samples for which both executors say the same"),
     column("Shared errors %", "shared_misclassified_percent", percentText, "of the samples that either got wrong"));
+  const inZone = (label, key) => column(label, row => row.temporal?.[key] ?? null, percentText,
+    "of those points, in this zone of the earlier frame");
+  if (isPath) columns.push(
+    column("Flips", row => row.temporal?.flips ?? null, countText, "over all frames"),
+    inZone("Edge band flips %", "edge_band_flips_percent"),
+    inZone("Terminator band flips %", "terminator_band_flips_percent"),
+    inZone("Interior flips %", "interior_flips_percent"),
+    column("Refused frames", row => row.temporal?.refused_frames ?? null, countText, "which count nowhere else"));
   byId("rows-table").replaceChildren(sortableTable("All rows", columns, measured, true));
 }
 

@@ -46,12 +46,26 @@ function summarise(rows) {
     terminator_band_percent: meanOf(row => row.terminator_band_percent),
     interior_percent: meanOf(row => row.interior_percent),
     unserved: rows.reduce((sum, row) => sum + row.unserved, 0),
+    flips_percent: meanOf(row => row.temporal?.flips_percent),
+    footprint_p50: meanOf(row => row.footprint_pixels_per_lixel?.p50),
     footprint_p90: meanOf(row => row.footprint_pixels_per_lixel?.p90),
     lixels_used: meanOf(row => row.lixels_used),
     bytes: meanOf(row => row.bytes),
     frame_ms: meanOf(row => row.timing.frame_ms),
+    pairs: pairsOf(rows.filter(row => row.temporal)),
   };
 }
+
+// Of rows along the same path: flips from frame to frame, in percent; null where no frame could be compared.
+function pairsOf(rows) {
+  if (!rows.length) return [];
+  return rows[0].temporal.pairs.map(({seconds}, index) => {
+    const sum = key => rows.reduce((total, row) => total + (row.temporal.pairs[index]?.[key] ?? 0), 0);
+    return {seconds, percent: sum("samples") ? 100 * sum("flips") / sum("samples") : null};
+  });
+}
+
+const isPath = measured.some(row => row.temporal);
 
 const keyOverViews = row => JSON.stringify([row.scene, row.technique_full, row.lixels, row.size, row.executor]);
 const summary = [...groupBy(measured, keyOverViews).values()].map(summarise).sort(byError);

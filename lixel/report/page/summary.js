@@ -43,7 +43,19 @@ function showSummary() {
   if (errors.length) byId("charts").append(barChart("Misclassified samples", "%", errors));
   if (costs.length) byId("charts").append(barChart("Time of a frame", "ms", costs));
   byId("charts").querySelector("figcaption")?.append(errorKeys());
+  if (isPath) showFlips(compared, label);
   byId("summary-table").replaceChildren(sortableTable("Means by technique", summaryColumns(several), summary));
+}
+
+// How steady the shadows are along the path.
+function showFlips(rows, label) {
+  const {frames, from_seconds, to_seconds, still} = measured.find(row => row.temporal).temporal;
+  byId("summary-note").textContent += ` Along a path: ${frames} frames from ${numberText(from_seconds)} s to `
+    + `${numberText(to_seconds)} s${still ? ", casters and light held" : ""}. Flips are surface points whose shadow `
+    + "changes from one frame to the next while exact visibility does not.";
+  const strips = rows.map(row => ({label: label(row), text: percentText(row.flips_percent) + " %",
+    values: row.pairs.map(pair => ({at: pair.seconds, value: pair.percent}))}));
+  byId("charts").append(stripChart("Flips from frame to frame", "%", "s", strips));
 }
 
 const errorKeys = () => element("span", {class: "keys"},
@@ -67,6 +79,10 @@ const errorColumns = [
     "of the samples within 2 pixels of a surface that turns away"),
   column("Interior %", "interior_percent", percentText, "of all other samples"),
 ];
+const flipColumns = isPath ? [
+  column("Flips %", row => row.flips_percent ?? row.temporal?.flips_percent ?? null, percentText,
+    "of the surface points that two frames of the path show and whose exact visibility stays"),
+] : [];
 const costColumns = [
   column("Lixels used", "lixels_used", countText, "of the light in a frame"),
   column("Bytes", "bytes", bytesText, "of all maps and tables"),
@@ -82,8 +98,10 @@ function techniqueColumns() {
 
 function summaryColumns(several) {
   return [
-    ...(several ? [column("Scene", "scene")] : []), ...techniqueColumns(), ...errorColumns,
+    ...(several ? [column("Scene", "scene")] : []), ...techniqueColumns(), ...errorColumns, ...flipColumns,
     column("Unserved", "unserved", countText, "samples that no map covers, over all views"),
+    ...(isPath ? [column("Footprint p50", "footprint_p50", numberText, "pixels a lixel, exceeded by half of the samples")]
+      : []),
     column("Footprint p90", "footprint_p90", numberText, "pixels a lixel, exceeded by a tenth of the samples"),
     ...costColumns, column("Frame ms", "frame_ms", numberText),
   ];
