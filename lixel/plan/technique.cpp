@@ -309,6 +309,8 @@ std::string checkTogether(const MapTechnique& map, const Parts& parts)
     const bool canBeStable = std::holds_alternative<FocusedFit>(map.fit) ||
                              std::holds_alternative<LispsmFit>(map.fit) ||
                              std::holds_alternative<SdsmPartition>(map.partition);
+    if (map.isStable && map.allocation == Allocation::Need)
+        return "allocation=need follows the view samples: a stable technique takes allocation=share";
     if (map.isStable && !canBeStable) return "stable goes with focused and lispsm";
     if (isGiven(map.fit) && !isWhole)
         return "matrix(file) and plan(file) have their own regions: no partition goes with them";
@@ -381,7 +383,7 @@ Expected<Technique, std::string> parseTechnique(std::string_view text)
     technique.partition = parts.partition.value_or(WholePartition{});
     technique.fit = fitOr(parts);
     technique.isStable = parts.isStable;
-    technique.allocation = parts.allocation.value_or(Allocation::Need);
+    technique.allocation = parts.allocation.value_or(parts.isStable ? Allocation::Share : Allocation::Need);
     technique.otherwise = parts.otherwise;
     if (parts.store) technique.store = *parts.store;
     if (parts.kernel) technique.kernel = *parts.kernel;

@@ -90,7 +90,7 @@ using FitChoice = std::variant<UniformFit, FocusedFit, DesiredViewFit, MinimalFr
 // How the regions of a light share its lixels.
 enum class Allocation {
     Need, // so that the predicted error of all is least; evenly where there are no view samples to predict from
-    Share // evenly
+    Share // evenly; the default of stable techniques, whose lixels must not change size
 };
 
 // Stores and kernels.

@@ -29,7 +29,7 @@ TEST(TechniqueText, PartsLeftOutTakeTheirDefaultAndOrderIsFree)
 TEST(TechniqueText, StableIsTheTechniquesWhereverItStands)
 {
     EXPECT_EQ(canonical("pssm(4,stable)"), canonical("pssm(4)+focused(stable)"));
-    EXPECT_EQ(canonical("sdsm(4,stable)"), "sdsm(4,stable)+desired-view+allocation=need+depths(1)+pcf(1)");
+    EXPECT_EQ(canonical("sdsm(4,stable)"), "sdsm(4,stable)+desired-view+allocation=share+depths(1)+pcf(1)");
     EXPECT_EQ(canonical("lispsm(stable)"), "whole+lispsm(stable)+depths(1)+pcf(1)");
 }
 
@@ -80,6 +80,7 @@ TEST(TechniqueText, WhatIsWrongIsOneLineThatQuotesIt)
                              "uniform(stable)",
                              "tsm+focused(stable)",
                              "allocation=need",
+                             "pssm(2,stable)+allocation=need",
                              "pssm(2)+allocation=most",
                              "else(focused",
                              "else()",
