@@ -1,56 +1,108 @@
 // SPDX-License-Identifier: MIT
-// What deciding costs: planShadows for one light and a grid of caster boxes, by fit and kind of light.
+// What deciding costs: planShadows for one light, by technique, kind of light and number of caster boxes. Techniques made from
+// view samples are timed apart, by the number of samples.
 #include "lixel/plan/shadow_plan.h"
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace {
 
 using namespace lixel;
 
-// A floor of side 2 `half` with boxes of one unit on it, as a city's blocks.
-std::vector<Box> blocks(int half)
+// A floor with boxes of one unit on it, as a city's blocks; one box is the floor alone.
+std::vector<Box> blocks(int count)
 {
-    std::vector<Box> boxes;
-    for (int z = -half; z < half; z += 2)
-        for (int x = -half; x < half; x += 2) boxes.push_back({Vec3d(x, 0, z), Vec3d(x + 1, 1, z + 1)});
+    const int side = int(std::ceil(std::sqrt(double(count))));
+    std::vector<Box> boxes{{Vec3d(-side, -1, -side), Vec3d(side, 0, side)}};
+    for (int i = 1; i < count; ++i) {
+        const double x = 2 * (i % side) - side, z = 2.0 * (i / side) - side;
+        boxes.push_back({Vec3d(x, 0, z), Vec3d(x + 1, 1, z + 1)});
+    }
     return boxes;
 }
 
-Light lightOf(LightKind kind)
+Light lightOf(LightKind kind, double extent)
 {
     Light light;
     light.kind = kind;
-    light.positionWorld = {0, 60, 0};
+    light.positionWorld = {0, extent, 0};
     light.directionWorld = kind == LightKind::Directional ? normalized({0.4, -1, 0.3}) : Vec3d{0, -1, 0};
     return light;
 }
 
-void planOneLight(benchmark::State& state, const FitChoice& fit, LightKind kind)
+View viewOf(double extent)
 {
-    const std::vector<Box> boxes = blocks(int(state.range(0)));
-    const std::vector<Light> lights{lightOf(kind)};
+    return perspectiveView({0.3, 1.7, 0.9 * extent}, {0, 1, 0}, {0, 1, 0}, std::numbers::pi / 3, 0.1, 4 * extent, 1024,
+                           1024);
+}
+
+// What a camera at eye level sees of the floor.
+ViewSamples floorSamples(const View& view, double extent, int count)
+{
+    ViewSamples samples;
+    samples.width = view.width;
+    samples.height = view.height;
+    const int side = int(std::sqrt(double(count)));
+    for (int i = 0; i < side * side; ++i) {
+        const double x = extent * (2.0 * (i % side) / side - 1),
+                     depth = 0.8 * extent * std::pow(double(i / side + 1) / side, 2);
+        samples.positionLocal.push_back({float(x * depth / extent), 0, float(0.9 * extent - 2 - depth)});
+        samples.normal.push_back({0, 1, 0});
+        samples.pixel.push_back({0.5f, 0.5f});
+        samples.triangle.push_back(kNoTriangle);
+    }
+    return samples;
+}
+
+void plan(benchmark::State& state, const std::string& technique, LightKind kind, int boxCount, int sampleCount)
+{
+    const std::vector<Box> boxes = blocks(boxCount);
+    const double extent = std::max(10.0, std::sqrt(double(boxCount)));
+    const std::vector<Light> lights{lightOf(kind, extent)};
     PlanInput input;
-    input.view = perspectiveView({0, 3, 20}, {0, 0, 0}, {0, 1, 0}, std::numbers::pi / 3, 0.1, 100, 1024, 1024);
+    input.view = viewOf(extent);
     input.lights = lights;
     input.casterBoxesWorld = boxes;
-    input.technique.fit = fit;
+    input.technique = std::get<MapTechnique>(*parseTechnique(technique));
     input.lixels = {512, 512};
+    const ViewSamples samples = floorSamples(input.view, extent, sampleCount);
+    if (sampleCount > 0) input.seen = &samples;
     FitScratch scratch;
     FramePlan plan;
     for (auto _ : state) {
         plan = planShadows(input, scratch, std::move(plan));
         benchmark::DoNotOptimize(plan.regionTable.data());
     }
-    state.counters["boxes"] = double(boxes.size());
+    if (plan.lights[0].refused) state.SkipWithError(std::string(nameOf(*plan.lights[0].refused)).c_str());
+    state.counters["regions"] = double(plan.regionTable.size());
 }
 
-BENCHMARK_CAPTURE(planOneLight, uniform_directional, UniformFit{}, LightKind::Directional)->Arg(4)->Arg(32);
-BENCHMARK_CAPTURE(planOneLight, focused_directional, FocusedFit{}, LightKind::Directional)->Arg(4)->Arg(32);
-BENCHMARK_CAPTURE(planOneLight, focused_spot, FocusedFit{}, LightKind::Spot)->Arg(4)->Arg(32);
-BENCHMARK_CAPTURE(planOneLight, focused_point, FocusedFit{}, LightKind::Point)->Arg(4)->Arg(32);
+const bool registered = [] {
+    const struct
+    {
+        LightKind kind;
+        const char* name;
+    } kinds[] = {{LightKind::Directional, "sun"}, {LightKind::Spot, "spot"}, {LightKind::Point, "point"}};
+    for (const char* technique : {"uniform", "focused", "focused(stable)", "minimal-frustum", "psm", "tsm", "lispsm",
+                                  "lispsm(stable)", "pssm(4)", "pssm(4)+lispsm", "cube"})
+        for (const auto& [kind, kindName] : kinds)
+            for (const int boxes : {1, 100, 10000})
+                benchmark::RegisterBenchmark(
+                    (std::string(technique) + "/" + kindName + "/boxes:" + std::to_string(boxes)).c_str(), plan,
+                    technique, kind, boxes, 0)
+                    ->Unit(benchmark::kMicrosecond);
+    for (const char* technique : {"desired-view", "desired-view(rotated)", "sdsm(4)", "lispsm"})
+        for (const int samples : {1024, 32400, 1048576})
+            benchmark::RegisterBenchmark(
+                (std::string(technique) + "/sun/boxes:100/samples:" + std::to_string(samples)).c_str(), plan, technique,
+                LightKind::Directional, 100, samples)
+                ->Unit(benchmark::kMicrosecond);
+    return true;
+}();
 
 } // namespace

@@ -147,7 +147,7 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
 {
     ComparisonOptions comparison;
     comparison.techniques = withExact(readTechniques(options.techniques));
-    comparison.lixels = readSize(options.lixels, "--lixels", kMostLixelsASide);
+    comparison.lixels = readBudget(options.lixels, "--lixels", kMostLixelsASide);
     comparison.timingFrames = options.timingFrames;
     const bool isPath = isPathOfFrames(options);
     if (options.output.empty() && options.json.empty())
@@ -202,7 +202,9 @@ Command addCompare(CLI::App& parent, const std::string& commandLine)
         ->check(notEmpty());
     app->add_flag("--still", o->path.isStill, "with --path: casters and light stay, only the camera moves");
     app->add_option("--techniques", o->techniques, "comma-separated (lixel techniques)")->capture_default_str();
-    app->add_option("--lixels", o->lixels, "budget of each light, WIDTHxHEIGHT")->capture_default_str();
+    app->add_option("--lixels", o->lixels,
+                    "budget of each light, WIDTHxHEIGHT; several, split at commas: of its regions")
+        ->capture_default_str();
     app->add_option("-o,--output", o->output, "folder for results.json, report.html and pictures");
     app->add_option("--json", o->json, "results as JSON to this file, or - for standard output");
     app->add_option("--executor", o->executor, "gl, trace, or both on the same view samples")

@@ -195,8 +195,8 @@ std::vector<Visibility> withoutMap(const ShotContext& context, const Technique& 
 std::vector<ResultRow> rowsOfAll(const ShotContext& context, std::span<const std::unique_ptr<Executor>> executors,
                                  const TechniqueChoice& choice, const std::function<void(std::string_view)>& onStep)
 {
-    const auto plan = planFor(choice.technique, context.stage, context.view, context.shot.lights,
-                              context.options.lixels, context.samples);
+    const auto plan =
+        planFor(choice, context.stage, context.view, context.shot.lights, context.options.lixels, context.samples);
     std::vector<ResultRow> rows;
     std::vector<std::vector<Visibility>> visibility;
     for (const auto& executor : executors) {
@@ -211,22 +211,6 @@ std::vector<ResultRow> rowsOfAll(const ShotContext& context, std::span<const std
 }
 
 } // namespace
-
-std::vector<TechniqueChoice> readTechniques(const std::string& list)
-{
-    const auto texts = splitTechniques(list);
-    if (!texts) throw UsageError(texts.error());
-    std::vector<TechniqueChoice> out;
-    for (const std::string& text : *texts) {
-        const auto technique = parseTechnique(text);
-        if (!technique) throw UsageError(technique.error());
-        for (const TechniqueChoice& other : out)
-            if (other.technique == *technique)
-                throw UsageError(fmt::format("technique \"{}\" is the same as \"{}\"", text, other.typed));
-        out.push_back({text, *technique});
-    }
-    return out;
-}
 
 Truth findTruth(const Stage& stage, const ViewSamples& samples, std::span<const Light> lights)
 {

@@ -6,6 +6,7 @@
 #include "lixel/plan/technique.h"
 #include "picture_options.h"
 #include "progress.h"
+#include "shadows.h"
 
 #include <filesystem>
 #include <functional>
@@ -15,19 +16,10 @@
 // Techniques against exact visibility of the same view samples.
 namespace lixel::app {
 
-struct TechniqueChoice
-{
-    std::string typed;
-    Technique technique;
-};
-
-// Throws UsageError.
-std::vector<TechniqueChoice> readTechniques(const std::string& list);
-
 struct ComparisonOptions
 {
     std::vector<TechniqueChoice> techniques;
-    LixelSize lixels{512, 512};
+    LixelBudget lixels;
     int timingFrames = 5;           // 0: no times
     std::filesystem::path pictures; // folder for PNGs; empty: none
 };

@@ -6,6 +6,7 @@
 #include "lixel/report/png.h"
 #include "lixel/trace/exact_visibility.h"
 #include "output.h"
+#include "plan_file.h"
 #include "run_results.h"
 #include "shadows.h"
 #include "text.h"
@@ -27,8 +28,8 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 struct RenderOptions
 {
     PictureOptions picture;
-    std::string output, exr;
-    std::string technique = "focused+pcf(9)";
+    std::string output, exr, plan;
+    std::string technique = "focused+else(cube)+pcf(9)";
     std::string lixels = "2048x2048";
     std::string executor = "gl";
     bool withExact = false, withFootprint = false, withDensity = false;
@@ -54,10 +55,10 @@ void expectPlanned(const FramePlan& plan, const TechniqueChoice& choice, std::sp
                                            choice.typed, lights[i].name, sentenceFor(*refused), nameOf(*refused)));
 }
 
-void addShadows(Picture& picture, Executor& executor, const TechniqueChoice& choice, LixelSize lixels)
+void addShadows(Picture& picture, Executor& executor, const TechniqueChoice& choice, const LixelBudget& lixels)
 {
     const auto& lights = picture.shot.lights;
-    picture.plan = planFor(choice.technique, picture.stage, picture.view, lights, lixels, picture.samples);
+    picture.plan = planFor(choice, picture.stage, picture.view, lights, lixels, picture.samples);
     if (!picture.plan) {
         picture.visibility = visibilityByRays(choice.technique, picture.stage, picture.view, picture.samples, lights);
         return;
@@ -154,8 +155,8 @@ void expectEnding(const std::string& path, std::string_view ending, std::string_
 // What can be told before the scene is read.
 void checkOptions(const RenderOptions& options)
 {
-    if (options.output.empty() && options.exr.empty())
-        throw UsageError("render: give -o PICTURE.png or --exr FILE.exr");
+    if (options.output.empty() && options.exr.empty() && options.plan.empty())
+        throw UsageError("render: give -o PICTURE.png, --exr FILE.exr or --plan FILE.json");
     if (options.exr.empty() && (options.withExact || options.withFootprint || options.withDensity))
         throw UsageError("--exact, --footprint and --density are channels of --exr");
     expectEnding(options.output, ".png", "-o");
@@ -165,16 +166,17 @@ void checkOptions(const RenderOptions& options)
     if (options.picture.view == "all") throw UsageError("--view all: render takes one view; lixel compare takes all");
     if (!options.output.empty()) expectWritable(options.output);
     if (!options.exr.empty()) expectWritable(options.exr);
+    if (!options.plan.empty()) expectWritable(options.plan);
 }
 
 int runRender(const RenderOptions& options)
 {
     const std::vector<TechniqueChoice> technique = readTechniques(options.technique);
     if (technique.size() != 1) throw UsageError("--technique: one technique is expected; lixel compare takes several");
-    if ((options.withFootprint || options.withDensity) &&
+    if ((options.withFootprint || options.withDensity || !options.plan.empty()) &&
         !std::holds_alternative<MapTechnique>(technique.front().technique))
-        throw UsageError(fmt::format("--footprint and --density: \"{}\" has no map", options.technique));
-    const LixelSize lixels = readSize(options.lixels, "--lixels", kMostLixelsASide);
+        throw UsageError(fmt::format("--footprint, --density and --plan: \"{}\" has no map", options.technique));
+    const LixelBudget lixels = readBudget(options.lixels, "--lixels", kMostLixelsASide);
     checkOptions(options);
     const Shooting shooting = prepare(options.picture, false);
     const auto executor = makeExecutor(options.executor);
@@ -197,6 +199,7 @@ int runRender(const RenderOptions& options)
         for (std::size_t i = 0; i < shot.lights.size(); ++i) addLight(channels, picture, i, options);
         channels.write(options.exr);
     }
+    if (!options.plan.empty()) writeOrPrint(options.plan, toPlanJson(*picture.plan, shot.lights));
     tellWarnings(*shooting.scene);
     return kDone;
 }
@@ -210,11 +213,14 @@ Command addRender(CLI::App& parent)
     addPictureOptions(*app, o->picture);
     app->add_option("-o,--output", o->output, "the picture, PNG; - for standard output");
     app->add_option("--technique", o->technique, "how shadows are made (lixel techniques)")->capture_default_str();
-    app->add_option("--lixels", o->lixels, "budget of each light, WIDTHxHEIGHT")->capture_default_str();
+    app->add_option("--lixels", o->lixels,
+                    "budget of each light, WIDTHxHEIGHT; several, split at commas: of its regions")
+        ->capture_default_str();
     app->add_option("--executor", o->executor, "gl or trace")
         ->check(CLI::IsMember({"gl", "trace"}))
         ->capture_default_str();
     app->add_option("--exr", o->exr, "positions, normals, depth and visibility as float32 OpenEXR");
+    app->add_option("--plan", o->plan, "what was planned, matrices and rectangles, as JSON that plan(file) reads");
     app->add_flag("--exact", o->withExact, "also exact visibility in the EXR");
     app->add_flag("--footprint", o->withFootprint, "also pixels per lixel (largest singular value) in the EXR");
     app->add_flag("--density", o->withDensity, "also lixels per pixel (by area) in the EXR");

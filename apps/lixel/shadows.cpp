@@ -1,21 +1,57 @@
 // SPDX-License-Identifier: MIT
 #include "shadows.h"
 
+#include "exit_code.h"
 #include "lixel/trace/exact_area.h"
 #include "lixel/trace/exact_visibility.h"
+#include "plan_file.h"
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace lixel::app {
 
-std::optional<FramePlan> planFor(const Technique& technique, const Stage& stage, const View& view,
-                                 std::span<const Light> lights, LixelSize lixels, const ViewSamples& seen)
+namespace {
+
+std::vector<GivenLight> readGiven(const Technique& technique)
 {
     const auto* map = std::get_if<MapTechnique>(&technique);
+    if (!map) return {};
+    if (const auto* matrix = std::get_if<MatrixFit>(&map->fit)) return readPlanFile(matrix->file, false);
+    if (const auto* plan = std::get_if<PlanFit>(&map->fit)) return readPlanFile(plan->file, true);
+    return {};
+}
+
+} // namespace
+
+std::vector<TechniqueChoice> readTechniques(const std::string& list)
+{
+    const auto texts = splitTechniques(list);
+    if (!texts) throw UsageError(texts.error());
+    std::vector<TechniqueChoice> out;
+    for (const std::string& text : *texts) {
+        const auto technique = parseTechnique(text);
+        if (!technique) throw UsageError(technique.error());
+        for (const TechniqueChoice& other : out)
+            if (other.technique == *technique)
+                throw UsageError(fmt::format("technique \"{}\" is the same as \"{}\"", text, other.typed));
+        out.push_back({text, *technique, readGiven(*technique)});
+    }
+    return out;
+}
+
+std::optional<FramePlan> planFor(const TechniqueChoice& choice, const Stage& stage, const View& view,
+                                 std::span<const Light> lights, const LixelBudget& lixels, const ViewSamples& seen)
+{
+    const auto* map = std::get_if<MapTechnique>(&choice.technique);
     if (!map) return std::nullopt;
     const SceneBuffers& buffers = stage.buffers;
-    PlanInput input{view, lights, buffers.bounds.boxesWorld, buffers.triangles.originWorld, *map, lixels};
+    PlanInput input{view, lights, buffers.bounds.boxesWorld, buffers.triangles.originWorld, *map, lixels.total};
     input.seen = &seen;
+    input.seenIsAll = true;
+    input.lixelsOfRegions = lixels.ofRegions;
+    input.given = choice.given;
     return planShadows(input);
 }
 

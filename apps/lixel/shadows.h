@@ -4,16 +4,29 @@
 #include "executor.h"
 #include "lixel/plan/footprint.h"
 #include "lixel/plan/technique.h"
+#include "text.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 // From a technique to visibility: by a plan, which executors run, or by rays.
 namespace lixel::app {
 
+// A technique as it was asked for, with what it takes from files.
+struct TechniqueChoice
+{
+    std::string typed;
+    Technique technique;
+    std::vector<GivenLight> given = {}; // of matrix(file) and plan(file)
+};
+
+// Throws UsageError for text, InputError for files.
+std::vector<TechniqueChoice> readTechniques(const std::string& list);
+
 // The plan of a technique with a map, for all lights; nothing for the others. `seen` is what the view sees.
-std::optional<FramePlan> planFor(const Technique& technique, const Stage& stage, const View& view,
-                                 std::span<const Light> lights, LixelSize lixels, const ViewSamples& seen);
+std::optional<FramePlan> planFor(const TechniqueChoice& choice, const Stage& stage, const View& view,
+                                 std::span<const Light> lights, const LixelBudget& lixels, const ViewSamples& seen);
 
 // What a technique without a map says, one a light. It is the same for all executors.
 std::vector<Visibility> visibilityByRays(const Technique& technique, const Stage& stage, const View& view,

@@ -33,6 +33,28 @@ LixelSize readSize(std::string_view text, std::string_view option, int most)
     return {*width, *height};
 }
 
+LixelBudget readBudget(std::string_view text, std::string_view option, int most)
+{
+    LixelBudget budget;
+    for (std::string_view rest = text;;) {
+        const std::size_t comma = rest.find(',');
+        budget.ofRegions.push_back(readSize(rest.substr(0, comma), option, most));
+        if (comma == std::string_view::npos) break;
+        rest.remove_prefix(comma + 1);
+    }
+    budget.total = budget.ofRegions.front();
+    if (budget.ofRegions.size() == 1) budget.ofRegions.clear();
+    return budget;
+}
+
+std::string toString(const LixelBudget& budget)
+{
+    if (budget.ofRegions.empty()) return toString(budget.total);
+    std::string text;
+    for (const LixelSize& size : budget.ofRegions) text += (text.empty() ? "" : ",") + toString(size);
+    return text;
+}
+
 Vec3d readVec3(std::string_view text, std::string_view option)
 {
     double values[3] = {};

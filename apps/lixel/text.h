@@ -7,12 +7,22 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // The forms that options come in. All throw UsageError, one line that names the option.
 namespace lixel::app {
 
 // "1024x768"; each side from 1 to `most`.
 LixelSize readSize(std::string_view text, std::string_view option, int most);
+
+// Of each light: one size is the total, several, split at commas, are those of its regions in their order.
+struct LixelBudget
+{
+    LixelSize total{512, 512};
+    std::vector<LixelSize> ofRegions;
+};
+LixelBudget readBudget(std::string_view text, std::string_view option, int most);
+std::string toString(const LixelBudget& budget);
 
 // "1,2.5,-3".
 Vec3d readVec3(std::string_view text, std::string_view option);

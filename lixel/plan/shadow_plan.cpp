@@ -14,6 +14,7 @@
 #include "lixel/plan/place.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lixel {
 namespace {
@@ -120,14 +121,12 @@ public:
     {
         const MapTechnique& technique = input_.technique;
         std::optional<FitFailure> refused = addAll(technique.partition, technique.fit);
-        if (technique.otherwise) {
-            if (!candidates_.empty() || refused) {
-                const std::size_t before = candidates_.size();
-                const std::optional<FitFailure> refusedToo =
-                    addAll(technique.otherwise->partition, technique.otherwise->fit);
-                if (candidates_.size() > before) refused.reset();
-                else if (refused) refused = refusedToo;
-            }
+        if (technique.otherwise && (keepUnserved() || refused)) {
+            const std::size_t before = candidates_.size();
+            const std::optional<FitFailure> refusedToo =
+                addAll(technique.otherwise->partition, technique.otherwise->fit);
+            if (candidates_.size() > before) refused.reset();
+            else if (refused) refused = refusedToo;
         }
         if (refused) return refused;
         if (candidates_.empty()) return FitFailure::NothingInView;
@@ -176,6 +175,31 @@ private:
             if (failure && *failure != FitFailure::NothingInView) refused = failure;
         }
         return refused;
+    }
+
+    bool isServed(Vec3d pointLocal) const
+    {
+        return std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
+            for (const Plane& plane : candidate.halfSpacesLocal)
+                if (plane.signedDistance(pointLocal) < 0) return false;
+            const Vec4d c = candidate.fit.lightClipFromLocal * point(pointLocal);
+            return c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w;
+        });
+    }
+
+    // Leaves only those view samples that no region holds. Whether there may be any such receiver.
+    bool keepUnserved()
+    {
+        if (!input_.seen) return true;
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < scratch_.seenLocal.size(); ++i) {
+            if (isServed(scratch_.seenLocal[i])) continue;
+            scratch_.seenLocal[kept] = scratch_.seenLocal[i];
+            scratch_.seenNormal[kept++] = scratch_.seenNormal[i];
+        }
+        scratch_.seenLocal.resize(kept);
+        scratch_.seenNormal.resize(kept);
+        return kept > 0 || !input_.seenIsAll;
     }
 
     std::optional<FitFailure> add(const Cell& cell, const FitChoice& fit)

@@ -43,6 +43,8 @@ struct PlanInput
     // What the view sees, for techniques made from it (needsViewSamples) and to predict errors by; same originWorld. Receivers
     // that are not in the list may lie outside maps made from it.
     const ViewSamples* seen = nullptr;
+    bool seenIsAll =
+        false; // it lists every receiver that will be asked: an else(...) that none of them needs has no map
     std::span<const LixelSize> lixelsOfRegions = {}; // in the order of regions, in place of `lixels`, where not empty
     std::span<const GivenLight> given = {};          // for matrix(file) and plan(file)
 };

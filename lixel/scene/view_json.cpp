@@ -91,6 +91,12 @@ Vec3d JsonPlace::unitVector() const
     return normalized(v);
 }
 
+std::string JsonPlace::text() const
+{
+    if (!value_->is_string()) refuse("expected text");
+    return value_->get<std::string>();
+}
+
 std::string JsonPlace::name() const
 {
     const std::string text = value_->is_string() ? value_->get<std::string>() : std::string();

@@ -41,6 +41,7 @@ public:
     double numberAbove(double least) const; // likewise and > least
     Vec3d vector() const;                   // three such numbers
     Vec3d unitVector() const;               // likewise, of some length; made unit
+    std::string text() const;               // any
     std::string name() const;               // letters, digits, '-' and '_', at most 64
 
 private:

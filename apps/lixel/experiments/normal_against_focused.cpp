@@ -77,7 +77,7 @@ Reproduction reproduceNormalAgainstFocused(const ExperimentOptions& options)
     executors.push_back(makeExecutor(options.executor));
     ComparisonOptions comparison;
     comparison.techniques = readTechniques("uniform,focused");
-    comparison.lixels = kMap;
+    comparison.lixels.total = kMap;
     comparison.timingFrames = 0;
 
     Reproduction out;
