@@ -4,6 +4,9 @@
 #include "lixel/base/assert.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 
 namespace lixel {
 
@@ -21,9 +24,45 @@ OrientedRectangle rectangleAlong(std::span<const Vec2d> points, Vec2d axis)
     return {middle.x * axis + middle.y * side, axis, 0.5 * (high - low)};
 }
 
+namespace {
+
+// Moves points that are well inside an octagon of eight extreme ones behind the others (Akl & Toussaint 1978) and returns how many
+// others there are: sorting is what a hull costs.
+std::size_t leaveOutInner(std::span<Vec2d> points)
+{
+    constexpr std::size_t kWorthwhile = 32;
+    if (points.size() < kWorthwhile) return points.size();
+    constexpr std::array<Vec2d, 8> kTowards{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+    std::array<Vec2d, 8> extreme;
+    extreme.fill(points[0]);
+    for (const Vec2d& p : points)
+        for (std::size_t k = 0; k < 8; ++k)
+            if (dot(kTowards[k], p - extreme[k]) > 0) extreme[k] = p;
+    if (extreme[0] == extreme[4] && extreme[2] == extreme[6]) return points.size();
+    // Sides as lines, inside positive, less a little for rounding; corners that are one have no side between them.
+    std::array<Vec2d, 8> normal;
+    std::array<double, 8> offset;
+    for (std::size_t k = 0; k < 8; ++k) {
+        const Vec2d side = extreme[(k + 1) % 8] - extreme[k];
+        normal[k] = {-side.y, side.x};
+        const double terms = std::abs(side.y * extreme[k].x) + std::abs(side.x * extreme[k].y);
+        offset[k] = side == Vec2d{} ? 1 : -dot(normal[k], extreme[k]) - 1e-12 * terms;
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        bool isInner = true;
+        for (std::size_t k = 0; k < 8 && isInner; ++k) isInner = dot(normal[k], points[i]) + offset[k] > 0;
+        if (!isInner) std::swap(points[kept++], points[i]);
+    }
+    return kept;
+}
+
+} // namespace
+
 std::size_t convexHull(std::span<Vec2d> points, std::span<Vec2d> hull)
 {
     LX_ASSERT(hull.size() > points.size());
+    points = points.first(leaveOutInner(points));
     std::sort(points.begin(), points.end(), [](Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     const auto count = std::size_t(std::unique(points.begin(), points.end()) - points.begin());
     if (count < 3) {

@@ -19,7 +19,7 @@ std::vector<Vec2d> anyPoints(Rng& rng)
     std::vector<Vec2d> points;
     const bool onGrid = rng.chance(0.3); // many in line, many the same
     const double flat = rng.logUniform(1e-3, 1), angle = rng.uniform(0, 6.3);
-    for (int i = rng.integer(1, 60); i > 0; --i) {
+    for (int i = rng.integer(1, rng.chance(0.2) ? 400 : 60); i > 0; --i) {
         const Vec2d p = onGrid ? Vec2d{double(rng.integer(-3, 3)), double(rng.integer(-3, 3))}
                                : Vec2d{rng.uniform(-1, 1), flat * rng.uniform(-1, 1)};
         points.push_back(

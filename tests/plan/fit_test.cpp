@@ -162,7 +162,8 @@ TEST(ConeAround, HoldsEveryPointAndNoOtherAxisIsBetter)
             points.push_back(apex + rng.logUniform(0.1, 10) * normalized(towards + spread * rng.inBox(1)));
             mean = mean + normalized(points.back() - apex);
         }
-        const DirectionCone cone = coneAround(points, apex);
+        std::vector<Vec3d> room;
+        const DirectionCone cone = coneAround(points, apex, room);
         double leastOfMean = 1;
         for (const Vec3d& p : points) {
             EXPECT_GE(dot(cone.axis, normalized(p - apex)), cone.cosHalfAngle - 1e-12);

@@ -47,6 +47,20 @@ Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, st
     const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
     const auto along = [&](Vec2d axis) { return axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w; };
     const Vec4d u = along(rectangle.axis), v = along({-rectangle.axis.y, rectangle.axis.x});
+    const auto size = [](Vec4d r, double reach) {
+        return (std::abs(r.x) + std::abs(r.y) + std::abs(r.z)) * reach + std::abs(r.w);
+    };
+    double farthest = 0, leastW = std::numeric_limits<double>::infinity();
+    for (const Vec3d& p : points) {
+        farthest = std::max(farthest, dot(p, p));
+        leastW = std::min(leastW, dot(w, point(p)));
+    }
+    // As if all that is worst came together; mostly that is little enough.
+    farthest = std::sqrt(farthest);
+    const Vec2d bound{(size(u, farthest) + rectangle.halfSize.x * size(w, farthest)) / leastW,
+                      (size(v, farthest) + rectangle.halfSize.y * size(w, farthest)) / leastW};
+    if (kLeastPerRounding * bound.x < rectangle.halfSize.x && kLeastPerRounding * bound.y < rectangle.halfSize.y)
+        return bound;
     Vec2d most;
     for (const Vec3d& p : points) {
         const auto terms = [&p](Vec4d r) {
@@ -100,15 +114,20 @@ LightFrame lightFrame(const Light& light, Vec3d originWorld, Vec3d axisLocal)
             isPerspective};
 }
 
-DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal)
+DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal, std::vector<Vec3d>& room)
 {
     LX_ASSERT(!pointsLocal.empty());
     // Scattered order: neighbours in the list are neighbours in space, which would make the search below quadratic.
     std::size_t stride = std::size_t(0.618 * double(pointsLocal.size())) | 1;
     while (std::gcd(stride, pointsLocal.size()) != 1) stride += 2;
-    const auto towards = [&](std::size_t i) {
-        return normalized(pointsLocal[i * stride % pointsLocal.size()] - apexLocal);
-    };
+    stride %= pointsLocal.size();
+    room.resize(pointsLocal.size());
+    for (std::size_t i = 0, k = 0; i < room.size(); ++i) {
+        room[i] = normalized(pointsLocal[k] - apexLocal);
+        k += stride;
+        if (k >= room.size()) k -= room.size();
+    }
+    const std::span<const Vec3d> towards = room;
     const auto isOutside = [](const DirectionCone& cone, Vec3d d) {
         return dot(cone.axis, d) < cone.cosHalfAngle - kConeSlack;
     };
@@ -119,22 +138,21 @@ DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal)
     };
 
     // Welzl 1991, on the sphere: the narrowest cone changes only for a direction outside it, which is then on its border.
-    DirectionCone cone{towards(0), 1};
-    for (std::size_t i = 1; i < pointsLocal.size(); ++i) {
-        const Vec3d a = towards(i);
+    DirectionCone cone{towards[0], 1};
+    for (std::size_t i = 1; i < towards.size(); ++i) {
+        const Vec3d a = towards[i];
         if (!isOutside(cone, a)) continue;
         cone = {a, 1};
         for (std::size_t j = 0; j < i; ++j) {
-            const Vec3d b = towards(j);
+            const Vec3d b = towards[j];
             if (!isOutside(cone, b)) continue;
             cone = through(normalized(a + b), a);
             for (std::size_t k = 0; k < j; ++k)
-                if (isOutside(cone, towards(k))) cone = throughThree(a, b, towards(k));
+                if (isOutside(cone, towards[k])) cone = throughThree(a, b, towards[k]);
         }
     }
     // Directions that do not fit a half-space have no such cone; the cosine then says so.
-    for (std::size_t i = 0; i < pointsLocal.size(); ++i)
-        cone.cosHalfAngle = std::min(cone.cosHalfAngle, dot(cone.axis, towards(i)));
+    for (const Vec3d& d : towards) cone.cosHalfAngle = std::min(cone.cosHalfAngle, dot(cone.axis, d));
     return cone;
 }
 
@@ -169,7 +187,8 @@ Expected<LightFrame, FitFailure> frameAround(const FitInput& input, std::span<co
 {
     Vec3d axis = input.light.directionWorld;
     if (input.light.kind != LightKind::Directional) {
-        const DirectionCone cone = coneAround(points, input.light.positionWorld - input.originWorld);
+        const DirectionCone cone =
+            coneAround(points, input.light.positionWorld - input.originWorld, input.scratch.directions);
         if (cone.cosHalfAngle < kLeastCosHalfAngle) return Unexpected{FitFailure::ExtentNotInHemisphere};
         axis = cone.axis;
     }

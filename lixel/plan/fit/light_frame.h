@@ -43,13 +43,13 @@ inline Vec2d onLightPlane(const LightFrame& frame, Vec3d pointLocal)
 }
 
 // The narrowest cone from the apex that holds all points; cosHalfAngle is not above 0 where they do not fit a half-space.
-// Needs a point.
+// Needs a point. `room` is for the unit directions.
 struct DirectionCone
 {
     Vec3d axis;
     double cosHalfAngle = 1;
 };
-DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal);
+DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal, std::vector<Vec3d>& room);
 
 // The widest cone that one perspective map serves: its half angle stays below 88.8 degrees.
 inline constexpr double kLeastCosHalfAngle = 0.02;

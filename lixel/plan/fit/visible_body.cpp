@@ -59,6 +59,23 @@ void findPoints(const FitInput& input, const BodyPlanes& planes, std::vector<Vec
     if (input.light.kind != LightKind::Directional) dropPointsAt(input.light.positionWorld - input.originWorld, points);
 }
 
+// Corners of a box cut by one plane: those inside, and where edges cross it.
+void appendCutBox(const Box& box, const Plane& plane, std::vector<Vec3d>& points)
+{
+    const std::array<Vec3d, 8> corners = box.corners();
+    std::array<double, 8> distance;
+    for (std::size_t i = 0; i < 8; ++i) {
+        distance[i] = plane.signedDistance(corners[i]);
+        if (distance[i] >= 0) points.push_back(corners[i]);
+    }
+    for (std::size_t i = 0; i < 8; ++i)
+        for (const std::size_t bit : {1u, 2u, 4u}) {
+            const std::size_t j = i | bit;
+            if (j == i || (distance[i] < 0) == (distance[j] < 0)) continue;
+            points.push_back(corners[i] + (distance[i] / (distance[i] - distance[j])) * (corners[j] - corners[i]));
+        }
+}
+
 } // namespace
 
 void appendClippedBox(const Box& box, std::span<const Plane> planes, std::vector<Vec3d>& points)
@@ -75,6 +92,10 @@ void appendClippedBox(const Box& box, std::span<const Plane> planes, std::vector
     }
     if (cuts == 0) {
         for (const Vec3d& corner : box.corners()) points.push_back(corner);
+        return;
+    }
+    if (cuts == 1) {
+        appendCutBox(box, *cutting[0], points);
         return;
     }
     ConvexBody body = bodyOf(box);
