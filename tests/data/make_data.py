@@ -248,6 +248,49 @@ def geometry():
     g.save('shared_vertices.gltf')
 
 
+BOX = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+BOX_INDICES = [0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3]
+INSIDE_OUT = BOX_INDICES[::-1]
+
+
+def outlines():
+    """Boxes under names that say what they are; only those named shell are outlines."""
+    def black(**more):
+        pbr = {'baseColorFactor': [0.02, 0.01, 0.01, 1], **more.pop('pbr', {})}
+        return {'pbrMetallicRoughness': pbr, **more}
+
+    g = Gltf()
+    texture = g.image(png(1, 1, lambda x, y: (9, 9, 9, 255)))
+    ink, red = g.add('materials', black()), g.add('materials', black(pbr={'baseColorFactor': [0.8, 0.1, 0.1, 1]}))
+    two_sided, textured = g.add('materials', black(doubleSided=True)), g.add('materials', black(pbr={'baseColorTexture': {'index': texture}}))
+    glowing, seen_through = g.add('materials', black(emissiveFactor=[1, 0, 0])), g.add('materials', black(alphaMode='BLEND'))
+
+    def put(name, indices, material, at, size=1.0, **more):
+        g.node(name=name, mesh=g.mesh(g.primitive(BOX, indices, material=material)), translation=at, scale=[size] * 3, **more)
+    put('model', BOX_INDICES, red, [0.05, 0.05, 0.05], 0.9)
+    put('shell', INSIDE_OUT, ink, [0, 0, 0])
+    put('mirrored shell', INSIDE_OUT, ink, [0, 0, 3], -1.0)
+    apart = [p for i in range(3) for p in [(x + 5 * i, y, z) for x, y, z in BOX]]
+    g.node(name='shell of three', mesh=g.mesh(g.primitive(apart, [i + 8 * k for k in range(3) for i in INSIDE_OUT], material=ink)))
+    unwelded = [BOX[i] for i in INSIDE_OUT]
+    g.node(name='shell without indices', mesh=g.mesh(g.primitive(unwelded, material=ink)))
+    put('coloured room', INSIDE_OUT, red, [3, 0, 0])
+    put('two-sided room', INSIDE_OUT, two_sided, [6, 0, 0])
+    put('textured room', INSIDE_OUT, textured, [9, 0, 0])
+    put('glowing room', INSIDE_OUT, glowing, [12, 0, 0])
+    put('blended room', INSIDE_OUT, seen_through, [15, 0, 0])
+    put('black box', BOX_INDICES, ink, [18, 0, 0])
+    put('black box without a side', INSIDE_OUT[6:], ink, [21, 0, 0])
+    put('black sheet', [0, 1, 3, 0, 3, 2], ink, [24, 0, 0])
+    put('black card of two sides', [0, 1, 3, 0, 3, 2, 3, 1, 0, 2, 3, 0], ink, [27, 0, 0])
+    g.save('outlines.glb')
+
+    g = Gltf()
+    ink = g.add('materials', black())
+    g.node(mesh=g.mesh(g.primitive(BOX, INSIDE_OUT, material=ink)))
+    g.save('only_a_shell.gltf')
+
+
 def animation():
     g = Gltf()
     mesh = g.mesh(g.primitive())
@@ -465,6 +508,7 @@ if __name__ == '__main__':
     cameras_and_lights()
     materials()
     geometry()
+    outlines()
     animation()
     obj()
     bad()
