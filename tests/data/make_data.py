@@ -255,39 +255,25 @@ INSIDE_OUT = BOX_INDICES[::-1]
 
 def outlines():
     """Boxes under names that say what they are; only those named shell are outlines."""
-    def black(**more):
-        pbr = {'baseColorFactor': [0.02, 0.01, 0.01, 1], **more.pop('pbr', {})}
-        return {'pbrMetallicRoughness': pbr, **more}
-
     g = Gltf()
-    texture = g.image(png(1, 1, lambda x, y: (9, 9, 9, 255)))
-    ink, red = g.add('materials', black()), g.add('materials', black(pbr={'baseColorFactor': [0.8, 0.1, 0.1, 1]}))
-    two_sided, textured = g.add('materials', black(doubleSided=True)), g.add('materials', black(pbr={'baseColorTexture': {'index': texture}}))
-    glowing, seen_through = g.add('materials', black(emissiveFactor=[1, 0, 0])), g.add('materials', black(alphaMode='BLEND'))
-
-    def put(name, indices, material, at, size=1.0, **more):
-        g.node(name=name, mesh=g.mesh(g.primitive(BOX, indices, material=material)), translation=at, scale=[size] * 3, **more)
-    put('model', BOX_INDICES, red, [0.05, 0.05, 0.05], 0.9)
-    put('shell', INSIDE_OUT, ink, [0, 0, 0])
-    put('mirrored shell', INSIDE_OUT, ink, [0, 0, 3], -1.0)
-    apart = [p for i in range(3) for p in [(x + 5 * i, y, z) for x, y, z in BOX]]
-    g.node(name='shell of three', mesh=g.mesh(g.primitive(apart, [i + 8 * k for k in range(3) for i in INSIDE_OUT], material=ink)))
-    unwelded = [BOX[i] for i in INSIDE_OUT]
-    g.node(name='shell without indices', mesh=g.mesh(g.primitive(unwelded, material=ink)))
-    put('coloured room', INSIDE_OUT, red, [3, 0, 0])
-    put('two-sided room', INSIDE_OUT, two_sided, [6, 0, 0])
-    put('textured room', INSIDE_OUT, textured, [9, 0, 0])
-    put('glowing room', INSIDE_OUT, glowing, [12, 0, 0])
-    put('blended room', INSIDE_OUT, seen_through, [15, 0, 0])
-    put('black box', BOX_INDICES, ink, [18, 0, 0])
-    put('black box without a side', INSIDE_OUT[6:], ink, [21, 0, 0])
-    put('black sheet', [0, 1, 3, 0, 3, 2], ink, [24, 0, 0])
-    put('black card of two sides', [0, 1, 3, 0, 3, 2, 3, 1, 0, 2, 3, 0], ink, [27, 0, 0])
+    material = lambda pbr={}, **more: g.add('materials', {'pbrMetallicRoughness': {'baseColorFactor': [0.02, 0.01, 0.01, 1], **pbr}, **more})
+    ink, red = material(), material({'baseColorFactor': [0.8, 0.1, 0.1, 1]})
+    textured, glowing, blended = material({'baseColorTexture': {'index': g.image(png(1, 1, lambda x, y: (9, 9, 9, 255)))}}), material(emissiveFactor=[1, 0, 0]), material(alphaMode='BLEND')
+    put = lambda name, indices, of, positions=BOX, **more: g.node(name=name, mesh=g.mesh(g.primitive(positions, indices, material=of)), **more)
+    put('model', BOX_INDICES, red, translation=[0.05, 0.05, 0.05], scale=[0.9, 0.9, 0.9])
+    put('shell', INSIDE_OUT, ink)
+    put('mirrored shell', INSIDE_OUT, ink, translation=[0, 0, 3], scale=[-1, -1, -1])
+    put('shell of three', [i + 8 * k for k in range(3) for i in INSIDE_OUT], ink, [(x + 5 * i, y, z) for i in range(3) for x, y, z in BOX])
+    put('shell without indices', None, ink, [BOX[i] for i in INSIDE_OUT])
+    stays = [('coloured room', INSIDE_OUT, red), ('two-sided room', INSIDE_OUT, material(doubleSided=True)), ('textured room', INSIDE_OUT, textured),
+             ('glowing room', INSIDE_OUT, glowing), ('blended room', INSIDE_OUT, blended), ('black box', BOX_INDICES, ink),
+             ('black room without a side', INSIDE_OUT[6:], ink), ('black sheet', INSIDE_OUT[:6], ink)]
+    for i, other in enumerate(stays):
+        put(*other, translation=[3 * i + 3, 0, 0])
     g.save('outlines.glb')
 
     g = Gltf()
-    ink = g.add('materials', black())
-    g.node(mesh=g.mesh(g.primitive(BOX, INSIDE_OUT, material=ink)))
+    put('shell', INSIDE_OUT, material())
     g.save('only_a_shell.gltf')
 
 
