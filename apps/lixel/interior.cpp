@@ -4,6 +4,7 @@
 #include "picture_interest.h"
 
 #include "lixel/scene/framing.h"
+#include "lixel/trace/parallel.h"
 #include "lixel/trace/trace_scene.h"
 #include "lixel/trace/trace_view_samples.h"
 
@@ -116,32 +117,47 @@ InteriorShot shotFrom(Vec3d eyeWorld, Vec3d forward, const Surroundings& around)
     return shot;
 }
 
+struct Trial
+{
+    bool isInside = false;
+    double interest = 0;
+    InteriorShot shot; // the most interesting, where interest > 0
+};
+
+Trial tryPlace(const TraceScene& scene, const Box& sceneWorld, Vec3d eyeWorld)
+{
+    const Vec3d size = sceneWorld.max - sceneWorld.min;
+    const double near = 1e-4 * sceneWorld.diagonal(), tooNear = kTooNear * std::max(size.x, size.z);
+    const Surroundings around = lookAround(scene, eyeWorld, near);
+    Trial best;
+    best.isInside = around.enclosed >= kLeastEnclosed && around.front >= kLeastFront;
+    for (int d = 0; best.isInside && d < kDirectionsAround; ++d)
+        for (const double slope : kSlopes) {
+            const double angle = 2 * std::numbers::pi * d / kDirectionsAround;
+            const InteriorShot shot = shotFrom(eyeWorld, {std::cos(angle), slope, std::sin(angle)}, around);
+            const View view = perspectiveView(eyeWorld, shot.camera.targetWorld, shot.camera.up, kFovy, near, INFINITY,
+                                              kTrialWidth, kTrialHeight);
+            const double interest = pictureInterest(scene, view, eyeWorld, shot.light, tooNear);
+            if (interest > best.interest) best.interest = interest, best.shot = shot;
+        }
+    return best;
+}
+
 } // namespace
 
 std::optional<InteriorShot> interiorShot(const TraceScene& scene, const Box& sceneWorld)
 {
-    const Vec3d size = sceneWorld.max - sceneWorld.min;
-    const double near = 1e-4 * sceneWorld.diagonal(), tooNear = kTooNear * std::max(size.x, size.z);
-    std::optional<InteriorShot> best;
-    double most = 0;
-    std::size_t inside = 0;
     const std::vector<Vec3d> eyes = places(sceneWorld);
-    for (const Vec3d& eye : eyes) {
-        const Surroundings around = lookAround(scene, eye, near);
-        if (around.enclosed < kLeastEnclosed || around.front < kLeastFront) continue;
-        ++inside;
-        for (int d = 0; d < kDirectionsAround; ++d)
-            for (const double slope : kSlopes) {
-                const double angle = 2 * std::numbers::pi * d / kDirectionsAround;
-                const InteriorShot shot = shotFrom(eye, {std::cos(angle), slope, std::sin(angle)}, around);
-                const View view = perspectiveView(eye, shot.camera.targetWorld, shot.camera.up, kFovy, near, INFINITY,
-                                                  kTrialWidth, kTrialHeight);
-                const double interest = pictureInterest(scene, view, eye, shot.light, tooNear);
-                if (interest > most) most = interest, best = shot;
-            }
-    }
-    if (double(inside) < kLeastRoom * double(eyes.size())) return std::nullopt;
-    return best;
+    std::vector<Trial> trials(eyes.size());
+    forEachBlock(eyes.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) trials[i] = tryPlace(scene, sceneWorld, eyes[i]);
+    });
+    const auto inside = std::count_if(trials.begin(), trials.end(), [](const Trial& t) { return t.isInside; });
+    if (double(inside) < kLeastRoom * double(trials.size())) return std::nullopt;
+    const auto best = std::max_element(trials.begin(), trials.end(),
+                                       [](const Trial& a, const Trial& b) { return a.interest < b.interest; });
+    if (!(best->interest > 0)) return std::nullopt;
+    return best->shot;
 }
 
 } // namespace lixel::app
