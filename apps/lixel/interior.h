@@ -12,9 +12,10 @@ class TraceScene;
 
 namespace lixel::app {
 
-// A picture from inside, for scenes that are rooms: whose middle sees surfaces' front sides in nearly all directions. A camera
-// at eye height looks along the longest free way; light is the sun where the sky is open above, else a spot under the ceiling
-// behind the camera. Nothing for scenes that are things seen from outside.
+// A picture from inside, for scenes that are rooms: a tenth or more of a grid of places within it see surfaces' front sides
+// in nearly all directions. Of these places, and directions around, the most interesting picture is taken
+// (picture_interest.h); light is the sun where the sky is open above, else a spot under the ceiling above the camera.
+// Nothing for scenes that are things seen from outside.
 struct InteriorShot
 {
     Camera camera;

@@ -7,6 +7,7 @@
 #include "lixel/scene/gltf_nodes.h"
 #include "lixel/scene/input_file.h"
 #include "lixel/scene/load.h"
+#include "lixel/scene/outline_shells.h"
 
 #include <new>
 
@@ -25,8 +26,9 @@ Scene loadGltf(std::span<const std::byte> bytes, const std::string& name, const 
         gltf::readCameras(file, scene);
         gltf::readLights(file, scene);
         gltf::readAnimations(file, scene);
-        checkScene(scene, name);
         scene.warnings = std::move(file.warnings);
+        leaveOutOutlineShells(scene, name);
+        checkScene(scene, name);
         return scene;
     } catch (const std::bad_alloc&) {
         refuse(name, "", "expected a scene that fits into memory");

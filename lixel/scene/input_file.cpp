@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -73,7 +74,7 @@ bool isUtf8(std::string_view text)
 
 std::string sceneName(const std::string& path) { return printable(std::filesystem::path(path).stem().string()); }
 
-std::vector<std::byte> readInputFile(const std::string& path)
+std::vector<std::byte> readInputFile(const std::string& path, std::size_t most)
 {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
@@ -89,9 +90,9 @@ std::vector<std::byte> readInputFile(const std::string& path)
 
     errno = 0;
     std::ifstream stream(path, std::ios::binary);
-    std::vector<std::byte> bytes(stream ? std::size_t(size) : 0);
+    std::vector<std::byte> bytes(stream ? std::min(std::size_t(size), most) : 0);
     // The file's bytes are read as what they are; std::byte and char may alias anything.
-    if (!stream || !stream.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size)))
+    if (!stream || !stream.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size())))
         refuse(path, "", fmt::format("cannot be read: {}", errno ? std::strerror(errno) : "unexpected end of file"));
     return bytes;
 }

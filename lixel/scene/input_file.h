@@ -20,8 +20,8 @@ bool isUtf8(std::string_view text);
 // The last part of a path without its ending, as valid UTF-8.
 std::string sceneName(const std::string& path);
 
-// The whole of a regular file, which must not be empty.
-std::vector<std::byte> readInputFile(const std::string& path);
+// A regular file, which must not be empty: the whole of it, or its first `most` bytes.
+std::vector<std::byte> readInputFile(const std::string& path, std::size_t most = std::size_t(-1));
 
 // A file that another one names, beside it. Absolute names, and any name where `baseDirectory` is empty, are refused.
 std::vector<std::byte> readNeighbour(const std::string& baseDirectory, const std::string& relative,

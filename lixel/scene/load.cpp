@@ -12,6 +12,9 @@ namespace {
 
 enum class Format { Gltf, Obj };
 
+constexpr std::size_t kStartBytes = 4096; // that tell what a file is
+constexpr std::string_view kBlank = " \t\r\n\xef\xbb\xbf";
+
 std::string_view asText(std::span<const std::byte> bytes)
 {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -31,7 +34,7 @@ std::optional<Format> formatByEnding(const std::string& path)
 std::optional<Format> formatByContent(std::string_view text)
 {
     if (text.starts_with("glTF")) return Format::Gltf;
-    const std::size_t start = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+    const std::size_t start = text.find_first_not_of(kBlank);
     if (start == text.npos) return std::nullopt;
     text.remove_prefix(start);
     if (text.starts_with('{')) return Format::Gltf;
@@ -40,15 +43,28 @@ std::optional<Format> formatByContent(std::string_view text)
     return std::nullopt;
 }
 
+// Before gigabytes are read: what is neither GLB nor JSON, or no text, shows it at once. The readers say more about a file
+// that is read whole.
+void refuseOtherContent(const std::string& path, Format format, std::string_view start)
+{
+    if (format == Format::Obj && start.find('\0') != start.npos)
+        refuse(path, "", "expected OBJ text, found a zero byte");
+    const std::size_t first = start.find_first_not_of(kBlank);
+    if (format == Format::Gltf && first != start.npos && start[first] != '{' && !start.starts_with("glTF"))
+        refuse(path, "", "expected glTF: a GLB file, or JSON in UTF-8");
+}
+
 } // namespace
 
 Scene loadScene(const std::string& path)
 {
-    const std::vector<std::byte> bytes = readInputFile(path);
+    const std::vector<std::byte> start = readInputFile(path, kStartBytes);
     auto format = formatByEnding(path);
-    if (!format) format = formatByContent(asText(bytes));
+    if (!format) format = formatByContent(asText(start));
     if (!format) refuse(path, "", "expected a glTF (.gltf, .glb) or OBJ (.obj) file");
+    if (start.size() == kStartBytes) refuseOtherContent(path, *format, asText(start));
 
+    const std::vector<std::byte> bytes = readInputFile(path);
     std::string baseDirectory = std::filesystem::path(path).parent_path().string();
     if (baseDirectory.empty()) baseDirectory = ".";
     return *format == Format::Gltf ? loadGltf(bytes, path, baseDirectory) : loadObj(asText(bytes), path, baseDirectory);

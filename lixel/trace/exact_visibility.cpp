@@ -11,7 +11,7 @@ std::vector<float> exactVisibility(const TraceScene& scene, const ViewSamples& s
 {
     LX_ASSERT(samples.originWorld == scene.originWorld());
     std::vector<float> visibility(samples.size(), 0.0f);
-    forEachBlock(samples.size(), 1024, [&](std::size_t first, std::size_t last) {
+    forEachBlock(samples.size(), 2048, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const SurfacePoint sample = surfacePoint(samples, i);
             const Vec3d p = toDouble(sample.positionLocal), n = toDouble(sample.normal);

@@ -10,12 +10,14 @@
 
 namespace lixel {
 
+constexpr std::size_t kRaysABlock = 2048; // a small picture is one block: it starts no thread
+
 ViewSamples traceViewSamples(const TraceScene& scene, const View& view)
 {
     const ViewRays rays(view, scene.originWorld());
     const auto width = std::size_t(view.width), height = std::size_t(view.height);
     std::vector<std::optional<SurfacePoint>> seen(width * height);
-    forEachBlock(height, 4, [&](std::size_t first, std::size_t last) {
+    forEachBlock(height, std::max<std::size_t>(1, kRaysABlock / width), [&](std::size_t first, std::size_t last) {
         std::vector<Vec2d> pixels(width);
         for (std::size_t y = first; y < last; ++y) {
             for (std::size_t x = 0; x < width; ++x) pixels[x] = {double(x) + 0.5, double(y) + 0.5};
@@ -28,7 +30,8 @@ ViewSamples traceViewSamples(const TraceScene& scene, const View& view)
     samples.originWorld = scene.originWorld();
     for (std::size_t i = 0; i < seen.size(); ++i) {
         if (!seen[i]) continue;
-        samples.pixel.push_back({float(i % width) + 0.5f, float(i / width) + 0.5f});
+        const std::size_t x = i % width, y = i / width;
+        samples.pixel.push_back({float(x) + 0.5f, float(y) + 0.5f});
         samples.positionLocal.push_back(seen[i]->positionLocal);
         samples.normal.push_back(seen[i]->normal);
         samples.triangle.push_back(seen[i]->triangle);

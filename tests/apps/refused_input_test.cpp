@@ -176,6 +176,18 @@ TEST_F(RefusedInput, EveryBadFileIsNamed)
     expectMention(refusal({"render", "./", "-o", "a.png"}, kBadInput), "directory");
 }
 
+TEST_F(RefusedInput, GigabytesOfNothingAreNotReadFirst)
+{
+    for (const char* name : {"large.obj", "large.glb", "large.gltf"}) {
+        write(name, "");
+        fs::resize_file(folder_.path() / name, std::uintmax_t(3) << 30);
+        expectMention(refusal({"render", std::string("./") + name, "-o", "a.png"}, kBadInput), name);
+    }
+    write("huge.glb", "glTF");
+    fs::resize_file(folder_.path() / "huge.glb", std::uintmax_t(20) << 30);
+    expectMention(refusal({"render", "huge.glb", "-o", "a.png"}, kBadInput), "at most 4 GiB");
+}
+
 TEST_F(RefusedInput, ViewFilesAreReadToTheLetter)
 {
     const std::pair<const char*, const char*> files[] = {

@@ -248,6 +248,35 @@ def geometry():
     g.save('shared_vertices.gltf')
 
 
+BOX = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+BOX_INDICES = [0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3]
+INSIDE_OUT = BOX_INDICES[::-1]
+
+
+def outlines():
+    """Boxes under names that say what they are; only those named shell are outlines."""
+    g = Gltf()
+    material = lambda pbr={}, **more: g.add('materials', {'pbrMetallicRoughness': {'baseColorFactor': [0.02, 0.01, 0.01, 1], **pbr}, **more})
+    ink, red = material(), material({'baseColorFactor': [0.8, 0.1, 0.1, 1]})
+    textured, glowing, blended = material({'baseColorTexture': {'index': g.image(png(1, 1, lambda x, y: (9, 9, 9, 255)))}}), material(emissiveFactor=[1, 0, 0]), material(alphaMode='BLEND')
+    put = lambda name, indices, of, positions=BOX, **more: g.node(name=name, mesh=g.mesh(g.primitive(positions, indices, material=of)), **more)
+    put('model', BOX_INDICES, red, translation=[0.05, 0.05, 0.05], scale=[0.9, 0.9, 0.9])
+    put('shell', INSIDE_OUT, ink)
+    put('mirrored shell', INSIDE_OUT, ink, translation=[0, 0, 3], scale=[-1, -1, -1])
+    put('shell of three', [i + 8 * k for k in range(3) for i in INSIDE_OUT], ink, [(x + 5 * i, y, z) for i in range(3) for x, y, z in BOX])
+    put('shell without indices', None, ink, [BOX[i] for i in INSIDE_OUT])
+    stays = [('coloured room', INSIDE_OUT, red), ('two-sided room', INSIDE_OUT, material(doubleSided=True)), ('textured room', INSIDE_OUT, textured),
+             ('glowing room', INSIDE_OUT, glowing), ('blended room', INSIDE_OUT, blended), ('black box', BOX_INDICES, ink),
+             ('black room without a side', INSIDE_OUT[6:], ink), ('black sheet', INSIDE_OUT[:6], ink)]
+    for i, other in enumerate(stays):
+        put(*other, translation=[3 * i + 3, 0, 0])
+    g.save('outlines.glb')
+
+    g = Gltf()
+    put('shell', INSIDE_OUT, material())
+    g.save('only_a_shell.gltf')
+
+
 def animation():
     g = Gltf()
     mesh = g.mesh(g.primitive())
@@ -465,6 +494,7 @@ if __name__ == '__main__':
     cameras_and_lights()
     materials()
     geometry()
+    outlines()
     animation()
     obj()
     bad()

@@ -3,7 +3,7 @@
 
 #include "scene/loaded.h"
 
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <map>
 
@@ -133,9 +133,9 @@ TEST(BadFiles, EachGetsOneClearLineWithinASecond)
         const std::string path = folder + "/" + file;
         std::string expected = path + ": " + message;
         if (const std::size_t at = expected.find('@'); at != expected.npos) expected.replace(at, 1, folder);
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock(); // of the processor: other work on the machine does not count
         EXPECT_EQ(refusalOf(path), expected);
-        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1)) << file;
+        EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 1) << file;
         EXPECT_EQ(expected.find('\n'), std::string::npos);
     }
 }

@@ -66,7 +66,8 @@ ViewSamples PointList::download()
     for (const shared::ViewPoint& entry : staging_) {
         if (entry.pixel == shared::kNoPixel) continue;
         const auto width = std::uint32_t(width_);
-        samples.pixel.push_back({float(entry.pixel % width) + 0.5f, float(entry.pixel / width) + 0.5f});
+        const std::uint32_t x = entry.pixel % width, y = entry.pixel / width;
+        samples.pixel.push_back({float(x) + 0.5f, float(y) + 0.5f});
         samples.positionLocal.push_back({entry.positionLocal.x, entry.positionLocal.y, entry.positionLocal.z});
         samples.normal.push_back({entry.normal.x, entry.normal.y, entry.normal.z});
         samples.triangle.push_back(entry.triangle);

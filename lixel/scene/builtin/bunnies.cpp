@@ -108,7 +108,7 @@ void addViews(Scene& scene)
     addView(scene, "above", "looking down on the floor, afternoon", lookAt({0.5, 7.2, 3.8}, {0, 0, 0.2}, 48),
             {sun({0.7, -0.7, -0.3})});
     addView(scene, "close-up", "among the bunnies, near the floor tiles",
-            lookAt({1.2, 0.9, 3.7}, {-0.7, 0.6, -0.6}, 50), {morning});
+            lookAt({0.2, 0.8, 3.3}, {0.95, 0.55, -0.6}, 50), {morning});
     addView(scene, "distant-lamp", "a point light 18 metres away", lookAt({-2.8, 2.4, 6.0}, {0.1, 0.9, -0.6}, 46),
             {lamp({8, 12, 11}, "distant-lamp")});
     addView(scene, "stage-spot", "one spot from the upper left on the middle of the stage",
@@ -118,7 +118,7 @@ void addViews(Scene& scene)
     addView(scene, "grazing", "the sun seven degrees above the floor", lookAt({1.8, 2.9, 6.2}, {0, 0.5, -0.5}, 44),
             {sun({-0.97, -0.12, -0.25})});
     addView(scene, "low-wall", "the camera a hand above the floor, looking at the wall",
-            lookAt({0.7, 0.14, 3.4}, {-0.2, 0.75, -3}, 52), {sun({0.45, -0.6, -0.66})});
+            lookAt({1.5, 0.14, 3.6}, {0.9, 0.75, -3}, 52), {sun({0.45, -0.6, -0.66})});
     addView(scene, "light-in-frustum", "a lamp that hangs in the picture above the bunnies",
             lookAt({-1.4, 2.6, 7.8}, {0.1, 1.7, -0.4}, 50), {lamp({0.6, 4.5, 1.2}, "hanging-lamp")});
     addView(scene, "light-at-eye", "a lamp worn on the head", lookAt({2.6, 2.0, 5.7}, {0, 0.8, -0.6}, 46),

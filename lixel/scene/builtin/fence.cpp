@@ -181,7 +181,8 @@ void addFences(Scene& scene, int spans)
               steel = addMaterial(scene, 0x868d92);
     const int section = addMesh(scene, picketFence(3), white);
     for (int i = 0; i < spans; ++i) {
-        const double x = i % 2 == 0 ? 0.9 + 3.16 * (i / 2) : -3.9 - 3.16 * (i / 2);
+        const int place = i / 2; // counted from the gate, on either side
+        const double x = i % 2 == 0 ? 0.9 + 3.16 * place : -3.9 - 3.16 * place;
         addNode(scene, "picket fence " + std::to_string(i + 1), {section}, {{x, 0, 0}});
     }
     addNode(scene, "gate", {addMesh(scene, picketFence(1.5), white)}, {{-0.72, 0, 0.02}, 58});

@@ -77,8 +77,9 @@ void addThings(Scene& scene, int count)
     const double size = std::min(1.0, std::min(cellX, cellZ) / 0.29);
     Dice dice(11);
     for (int i = 0; i < count; ++i) {
-        const Vec3d centre{-0.5 * kTableWidth + 0.06 + (i % columns + 0.5) * cellX, kTableHeight - 2 * kSink,
-                           -0.5 * kTableDepth + 0.06 + (i / columns + 0.5) * cellZ};
+        const int column = i % columns, row = i / columns;
+        const Vec3d centre{-0.5 * kTableWidth + 0.06 + (column + 0.5) * cellX, kTableHeight - 2 * kSink,
+                           -0.5 * kTableDepth + 0.06 + (row + 0.5) * cellZ};
         const double free = 0.03 * size;
         const Vec3d position = centre + Vec3d{dice.uniform(-free, free), 0, dice.uniform(-free, free)};
         const std::size_t kind = std::size_t(i) % kinds.size();
