@@ -7,6 +7,7 @@
 #include "lixel/gl/passes/gather_pass.h"
 #include "lixel/gl/passes/light_depth_pass.h"
 #include "lixel/gl/passes/lookup_pass.h"
+#include "lixel/gl/passes/observation_readback.h"
 #include "lixel/gl/passes/shade_pass.h"
 #include "lixel/gl/passes/view_pass.h"
 
@@ -67,6 +68,8 @@ struct GlExecutor::State
     gl::LightDepthPass lightDepthPass{device};
     gl::LookupPass lookupPass;
     gl::ShadePass shadePass;
+    gl::SamplePass samplePass{device};
+    gl::ObservationReadback ownFrame{0}, earlierFrame{kObservationAge};
     std::optional<View> drawn; // what `targets` and `pixels` hold, of the casters' version ...
     std::uint64_t drawnVersion = 0;
 
@@ -119,11 +122,33 @@ struct GlExecutor::State
         lookupPass.run(plan, tables, atlas, points, visibility);
     }
 
+    // Of `pixels` and their visibility.
+    void sample(std::span<const Light> lights, ObservationGrid grid)
+    {
+        gl::PassTimer::Scope scope(timer, gl::SamplePass::kName);
+        samplePass.run(pixels, visibilityOfPixels, lights, gridWithin(grid, *drawn));
+    }
+
+    Observation observedNow(ObservationGrid grid)
+    {
+        Observation observation;
+        ownFrame.push(samplePass, observedFrame(grid));
+        ownFrame.take(observation);
+        device.throwOnMessages("an observation");
+        return observation;
+    }
+
+    ObservedFrame observedFrame(ObservationGrid grid) const
+    {
+        return {*drawn, pixels.originWorld(), gridWithin(grid, *drawn), visibilityOfPixels.lights() > 0};
+    }
+
     void drawFrame(const Frame& frame, bool isShaded)
     {
         drawView(frame.seen, frame.view);
         drawMaps(frame.plan, frame.casters);
         lookUp(frame.plan, pixels, visibilityOfPixels);
+        if (frame.observed) sample(frame.lights, *frame.observed);
         if (!isShaded) return;
         gl::PassTimer::Scope scope(timer, gl::ShadePass::kName);
         shadePass.run(seen, targets, pixels, visibilityOfPixels, frame.lights);
@@ -199,10 +224,48 @@ Image<Rgba8> GlExecutor::render(const Frame& frame)
     return picture;
 }
 
+Observation GlExecutor::observe(const CasterBuffers& casters, const View& view, ObservationGrid grid)
+{
+    state_->device.makeCurrent();
+    state_->needView(casters, view);
+    state_->visibilityOfPixels.resize(state_->pixels, 0);
+    state_->sample({}, grid);
+    return state_->observedNow(grid);
+}
+
+Observation GlExecutor::observe(const Frame& frame)
+{
+    LX_ASSERT(frame.lights.size() == frame.plan.lights.size());
+    const ObservationGrid grid = frame.observed.value_or(ObservationGrid{});
+    state_->device.makeCurrent();
+    state_->needView(frame.seen, frame.view);
+    state_->drawMaps(frame.plan, frame.casters);
+    state_->lookUp(frame.plan, state_->pixels, state_->visibilityOfPixels);
+    state_->sample(frame.lights, grid);
+    return state_->observedNow(grid);
+}
+
+std::optional<Observation> GlExecutor::advance(const Frame& frame, Observation recycled)
+{
+    LX_ASSERT(frame.lights.size() == frame.plan.lights.size());
+    state_->device.makeCurrent();
+    Frame observed = frame;
+    observed.observed = frame.observed.value_or(ObservationGrid{});
+    state_->drawFrame(observed, true);
+    state_->earlierFrame.push(state_->samplePass, state_->observedFrame(*observed.observed));
+    const bool isThere = state_->earlierFrame.take(recycled);
+    state_->device.throwOnMessages("a frame");
+    return isThere ? std::optional<Observation>(std::move(recycled)) : std::nullopt;
+}
+
+void GlExecutor::restart() { state_->earlierFrame.clear(); }
+
+std::uint64_t GlExecutor::readbackWaits() const { return state_->earlierFrame.waits(); }
+
 FrameTimes GlExecutor::measure(const Frame& frame, int frames)
 {
     const bool isShaded = !frame.lights.empty();
-    LX_ASSERT(frames > 0 && (!isShaded || frame.lights.size() == frame.plan.lights.size()));
+    LX_ASSERT(frames > 0 && ((!isShaded && !frame.observed) || frame.lights.size() == frame.plan.lights.size()));
     state_->device.makeCurrent();
     for (int i = 0; i < 2; ++i) state_->drawFrame(frame, isShaded);
     FrameTimes times;

@@ -4,6 +4,7 @@
 #include "lixel/base/caster_source.h"
 #include "lixel/base/image.h"
 #include "lixel/base/light.h"
+#include "lixel/base/observation.h"
 #include "lixel/base/view.h"
 #include "lixel/base/view_samples.h"
 #include "lixel/base/visibility.h"
@@ -18,7 +19,8 @@
 
 namespace lixel {
 
-// What a frame costs, medians. A frame is: view, gather, light depth, lookup, shade; nothing is read back in it.
+// What a frame costs, medians. A frame is: view, gather, light depth, lookup, and as asked for sample and shade; nothing is
+// read back in it.
 struct FrameTimes
 {
     struct Pass
@@ -74,8 +76,22 @@ public:
         const View& view;
         const FramePlan& plan;
         std::span<const Light> lights; // of the plan; empty: measure() leaves the shade pass out
+        std::optional<ObservationGrid> observed = std::nullopt; // nothing: measure() leaves the sample pass out
     };
     Image<Rgba8> render(const Frame& frame);
+
+    // What the view sees, at low resolution, and with a frame which lights reach it: of age 0, so it waits for the device. Without
+    // `observed` the grid is the usual one.
+    Observation observe(const CasterBuffers& casters, const View& view, ObservationGrid grid = {});
+    Observation observe(const Frame& frame);
+
+    // One frame of a loop, drawn like render()'s, but the picture stays on the device. Returns what was observed in the frame
+    // kObservationAge calls before, always that one; nothing in the first calls of a loop. Where the host runs no more frames
+    // ahead of the device than this, nothing is waited for. The storage of `recycled` is used again.
+    static constexpr int kObservationAge = 2;
+    std::optional<Observation> advance(const Frame& frame, Observation recycled = {});
+    void restart();                      // the next advance() is the first of a loop
+    std::uint64_t readbackWaits() const; // calls of advance() that met an observation which was still on its way
 
     // Draws the frame twice to warm up, then `frames` times undisturbed and `frames` times pass by pass.
     FrameTimes measure(const Frame& frame, int frames = 15);

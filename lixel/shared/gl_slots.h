@@ -24,6 +24,7 @@ const int kStorageRegions = 7;
 const int kStorageLights = 8;
 const int kStorageHalfSpaces = 9;
 const int kStorageShadingLights = 10;
+const int kStorageCells = 11;
 
 // Uniform buffers.
 const int kUniformView = 0;

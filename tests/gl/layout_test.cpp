@@ -2,6 +2,7 @@
 #include "graphics.h"
 
 #include "lixel/gl/device/program.h"
+#include "lixel/shared/observe.h"
 #include "lixel/shared/shading.h"
 #include "lixel/shared/shadow_tables.h"
 #include "lixel/shared/view_tables.h"
@@ -96,6 +97,16 @@ TEST_F(LayoutTest, ViewTablesLieAsInCpp)
     LX_EXPECT_MEMBER(material, GL_BUFFER_VARIABLE, shared::SurfaceMaterial, baseColour);
     LX_EXPECT_MEMBER(material, GL_BUFFER_VARIABLE, shared::SurfaceMaterial, emission);
     LX_EXPECT_MEMBER(material, GL_BUFFER_VARIABLE, shared::SurfaceMaterial, alphaCutoff);
+
+    const ProgramName cell = programWith("lixel/shared/observe.h", "ObservedPoint", kStorage,
+                                         "row.point.positionLocal.x + float(row.point.triangle + row.lit + row.facing "
+                                         "+ row.atBoundary + row.atDepthJump)");
+    LX_EXPECT_MEMBER(cell, GL_BUFFER_VARIABLE, shared::ObservedPoint, point.positionLocal);
+    LX_EXPECT_MEMBER(cell, GL_BUFFER_VARIABLE, shared::ObservedPoint, point.triangle);
+    LX_EXPECT_MEMBER(cell, GL_BUFFER_VARIABLE, shared::ObservedPoint, lit);
+    LX_EXPECT_MEMBER(cell, GL_BUFFER_VARIABLE, shared::ObservedPoint, facing);
+    LX_EXPECT_MEMBER(cell, GL_BUFFER_VARIABLE, shared::ObservedPoint, atBoundary);
+    LX_EXPECT_MEMBER(cell, GL_BUFFER_VARIABLE, shared::ObservedPoint, atDepthJump);
 
     const ProgramName rays = programWith("lixel/shared/view_tables.h", "ViewRays", kUniform,
                                          "row.rayOrigin[2].x + row.rayDirection[2].x + row.clipW.x + row.eyeLocal.x");
