@@ -11,6 +11,7 @@ const int kAttributePosition = 0;
 const int kAttributeUv = 1;
 const int kAttributeColour = 2;
 const int kAttributeNormal = 3;
+const int kAttributeInstance = 4; // of casters from buffers: CasterInstance, one an instance
 
 // Shader storage buffers.
 const int kStorageIndices = 0;
