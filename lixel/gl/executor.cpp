@@ -4,6 +4,7 @@
 #include "lixel/base/assert.h"
 #include "lixel/gl/device/device.h"
 #include "lixel/gl/device/pass_timer.h"
+#include "lixel/gl/passes/drawn_maps.h"
 #include "lixel/gl/passes/gather_pass.h"
 #include "lixel/gl/passes/light_depth_pass.h"
 #include "lixel/gl/passes/lookup_pass.h"
@@ -59,6 +60,8 @@ struct GlExecutor::State
     gl::Surfaces casting{device}; // casters of another version
     gl::PlanTables tables;
     gl::ShadowAtlas atlas;
+    gl::DrawnMaps inAtlas;
+    std::uint64_t mapsDrawn = 0;
     gl::ViewTargets targets;
     gl::PointList pixels{device};  // one entry a pixel, of the view drawn last
     gl::PointList samples{device}; // a caller's
@@ -105,6 +108,8 @@ struct GlExecutor::State
     void drawMaps(const FramePlan& plan, const CasterSource& casters)
     {
         tables.upload(plan);
+        if (inAtlas.areThoseOf(plan, casters)) return;
+        inAtlas.forget();
         atlas.resize(device, plan);
         const CasterBuffers* buffers = std::get_if<CasterBuffers>(&casters);
         // What is seen mostly casts as well, and is then here once.
@@ -114,6 +119,8 @@ struct GlExecutor::State
         gl::PassTimer::Scope scope(timer, gl::LightDepthPass::kName);
         if (buffers) lightDepthPass.run(plan, tables, surfaces, atlas);
         else lightDepthPass.run(plan, tables, std::get<CasterCallback>(casters), atlas);
+        inAtlas.set(plan, casters);
+        mapsDrawn += plan.regionTable.size();
     }
 
     void lookUp(const FramePlan& plan, const gl::PointList& points, gl::VisibilityList& visibility)
@@ -168,6 +175,7 @@ GlExecutor& GlExecutor::operator=(GlExecutor&&) noexcept = default;
 
 const std::string& GlExecutor::renderer() const { return state_->device.renderer(); }
 bool GlExecutor::isSoftware() const { return state_->device.isSoftware(); }
+std::uint64_t GlExecutor::mapsDrawn() const { return state_->mapsDrawn; }
 
 ViewSamples GlExecutor::viewSamples(const CasterBuffers& casters, const View& view)
 {
@@ -267,13 +275,17 @@ FrameTimes GlExecutor::measure(const Frame& frame, int frames)
     const bool isShaded = !frame.lights.empty();
     LX_ASSERT(frames > 0 && ((!isShaded && !frame.observed) || frame.lights.size() == frame.plan.lights.size()));
     state_->device.makeCurrent();
-    for (int i = 0; i < 2; ++i) state_->drawFrame(frame, isShaded);
+    const auto drawAnew = [&] {
+        state_->inAtlas.forget();
+        state_->drawFrame(frame, isShaded);
+    };
+    for (int i = 0; i < 2; ++i) drawAnew();
     FrameTimes times;
     std::vector<double> wholeMs, gpuMs;
     for (int i = 0; i < frames; ++i) {
         glFinish();
         const auto began = std::chrono::steady_clock::now();
-        state_->drawFrame(frame, isShaded);
+        drawAnew();
         glFinish();
         wholeMs.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count());
     }
@@ -282,7 +294,7 @@ FrameTimes GlExecutor::measure(const Frame& frame, int frames)
     std::vector<std::vector<double>> passMs;
     for (int i = 0; i < frames; ++i) {
         state_->timer.start();
-        state_->drawFrame(frame, isShaded);
+        drawAnew();
         const std::vector<gl::PassTimer::Pass> passes = state_->timer.stop();
         passMs.resize(passes.size());
         times.passes.resize(passes.size());
@@ -296,6 +308,8 @@ FrameTimes GlExecutor::measure(const Frame& frame, int frames)
     for (std::size_t p = 0; p < passMs.size(); ++p) times.passes[p].ms = median(passMs[p]);
     if (!isSoftware()) times.gpuMs = median(gpuMs);
     times.clock = state_->timer.clock();
+    times.trianglesDrawn = state_->lightDepthPass.trianglesDrawn();
+    times.trianglesCulled = state_->lightDepthPass.trianglesCulled();
     state_->device.throwOnMessages("measuring");
     return times;
 }

@@ -11,6 +11,7 @@
 #include "lixel/gl/graphics_error.h"
 #include "lixel/plan/shadow_plan.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,6 +33,9 @@ struct FrameTimes
     std::optional<double> gpuMs; // by timer queries; nothing on software drivers, where they see next to nothing
     std::vector<Pass> passes;    // of separate frames, in their order
     std::string clock;           // what the passes were timed by
+    // Of casters in buffers: triangles times the regions they were drawn into, and those times the regions that could not see
+    // them.
+    std::uint64_t trianglesDrawn = 0, trianglesCulled = 0;
 };
 
 // The executor on OpenGL 4.5 core: does what a plan says on the device, and decides nothing about shadows. It owns its passes and
@@ -53,6 +57,10 @@ public:
 
     const std::string& renderer() const;
     bool isSoftware() const;
+
+    // Regions drawn so far. Maps of a plan stay: where the next plan's maps are the same, of casters of the same version (which
+    // is not 0), they are not drawn again.
+    std::uint64_t mapsDrawn() const;
 
     // What the view sees: one sample a pixel centre, row by row from the bottom; pixels that see nothing have none.
     ViewSamples viewSamples(const CasterBuffers& casters, const View& view);
@@ -93,7 +101,7 @@ public:
     void restart();                      // the next advance() is the first of a loop
     std::uint64_t readbackWaits() const; // calls of advance() that met an observation which was still on its way
 
-    // Draws the frame twice to warm up, then `frames` times undisturbed and `frames` times pass by pass.
+    // Draws the frame, and its maps each time, twice to warm up, then `frames` times undisturbed and `frames` times pass by pass.
     FrameTimes measure(const Frame& frame, int frames = 15);
 
 private:
