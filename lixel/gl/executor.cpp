@@ -9,6 +9,7 @@
 #include "lixel/gl/passes/light_depth_pass.h"
 #include "lixel/gl/passes/lookup_pass.h"
 #include "lixel/gl/passes/observation_readback.h"
+#include "lixel/gl/passes/sdsm_pass.h"
 #include "lixel/gl/passes/shade_pass.h"
 #include "lixel/gl/passes/view_pass.h"
 
@@ -72,6 +73,7 @@ struct GlExecutor::State
     gl::LookupPass lookupPass;
     gl::ShadePass shadePass;
     gl::SamplePass samplePass{device};
+    gl::SdsmPass sdsmPass;
     gl::ObservationReadback ownFrame{0}, earlierFrame{kObservationAge};
     std::optional<View> drawn; // what `targets` and `pixels` hold, of the casters' version ...
     std::uint64_t drawnVersion = 0;
@@ -105,10 +107,16 @@ struct GlExecutor::State
         if (!isThere) drawView(casters, view);
     }
 
-    void drawMaps(const FramePlan& plan, const CasterSource& casters)
+    // Fills are made from `pixels`. Their maps are drawn each time, with all casters: only the device knows what they hold.
+    void drawMaps(const FramePlan& plan, const CasterSource& casters, std::span<const SdsmFill> fills = {})
     {
         tables.upload(plan);
-        if (inAtlas.areThoseOf(plan, casters)) return;
+        for (const SdsmFill& fill : fills) {
+            gl::PassTimer::Scope scope(timer, gl::SdsmPass::kName);
+            sdsmPass.run(fill, pixels, tables);
+        }
+        if (fills.empty() && inAtlas.areThoseOf(plan, casters)) return;
+        const auto culling = fills.empty() ? gl::LightDepthPass::Culling::ByRegion : gl::LightDepthPass::Culling::Off;
         inAtlas.forget();
         atlas.resize(device, plan);
         const CasterBuffers* buffers = std::get_if<CasterBuffers>(&casters);
@@ -117,9 +125,9 @@ struct GlExecutor::State
         gl::Surfaces& surfaces = isSeen ? seen : casting;
         if (buffers && !isSeen) surfaces.update(*buffers);
         gl::PassTimer::Scope scope(timer, gl::LightDepthPass::kName);
-        if (buffers) lightDepthPass.run(plan, tables, surfaces, atlas);
-        else lightDepthPass.run(plan, tables, std::get<CasterCallback>(casters), atlas);
-        inAtlas.set(plan, casters);
+        if (buffers) lightDepthPass.run(plan, tables, surfaces, atlas, culling);
+        else lightDepthPass.run(plan, tables, std::get<CasterCallback>(casters), atlas, culling);
+        if (fills.empty()) inAtlas.set(plan, casters);
         mapsDrawn += plan.regionTable.size();
     }
 
@@ -153,7 +161,7 @@ struct GlExecutor::State
     void drawFrame(const Frame& frame, bool isShaded)
     {
         drawView(frame.seen, frame.view);
-        drawMaps(frame.plan, frame.casters);
+        drawMaps(frame.plan, frame.casters, frame.fills);
         lookUp(frame.plan, pixels, visibilityOfPixels);
         if (frame.observed) sample(frame.lights, *frame.observed);
         if (!isShaded) return;
@@ -247,7 +255,7 @@ Observation GlExecutor::observe(const Frame& frame)
     const ObservationGrid grid = frame.observed.value_or(ObservationGrid{});
     state_->device.makeCurrent();
     state_->needView(frame.seen, frame.view);
-    state_->drawMaps(frame.plan, frame.casters);
+    state_->drawMaps(frame.plan, frame.casters, frame.fills);
     state_->lookUp(frame.plan, state_->pixels, state_->visibilityOfPixels);
     state_->sample(frame.lights, grid);
     return state_->observedNow(grid);

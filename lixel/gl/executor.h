@@ -9,6 +9,7 @@
 #include "lixel/base/view_samples.h"
 #include "lixel/base/visibility.h"
 #include "lixel/gl/graphics_error.h"
+#include "lixel/plan/partition/sdsm_fill.h"
 #include "lixel/plan/shadow_plan.h"
 
 #include <cstdint>
@@ -20,8 +21,8 @@
 
 namespace lixel {
 
-// What a frame costs, medians. A frame is: view, gather, light depth, lookup, and as asked for sample and shade; nothing is
-// read back in it.
+// What a frame costs, medians. A frame is: view, gather, sdsm if tables are to be made, light depth, lookup, and as asked for
+// sample and shade; nothing is read back in it.
 struct FrameTimes
 {
     struct Pass
@@ -85,6 +86,7 @@ public:
         const FramePlan& plan;
         std::span<const Light> lights; // of the plan; empty: measure() leaves the shade pass out
         std::optional<ObservationGrid> observed = std::nullopt; // nothing: measure() leaves the sample pass out
+        std::span<const SdsmFill> fills = {}; // of a layout: tables that are made on the device from what is seen
     };
     Image<Rgba8> render(const Frame& frame);
 

@@ -26,10 +26,13 @@ const int kStorageLights = 8;
 const int kStorageHalfSpaces = 9;
 const int kStorageShadingLights = 10;
 const int kStorageCells = 11;
+const int kStorageSdsm = 12;
+const int kStorageSdsmCasters = 13;
 
 // Uniform buffers.
 const int kUniformView = 0;
 const int kUniformBatch = 1;
+const int kUniformSdsm = 2;
 
 // Texture units.
 const int kUnitSurface = 0;

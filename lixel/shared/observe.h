@@ -42,7 +42,7 @@ LX_FN bool lxIsLit(float visibility) { return visibility < 0.0f || visibility >=
 // Sines of angles, of the line between two samples with their planes. Below the first the sample counts as in the plane;
 // two that do not add up to the second are a bend of one surface.
 const float LX_IN_PLANE = 0.001f;
-const float LX_BEND = 0.05f;
+const float LX_BEND = 0.15f;
 
 // Whether two neighbouring samples of a picture lie on different surfaces. Along the line of pixels between them, each
 // tangent plane predicts a depth (in NDC, linear in the picture). Where the surface bends or has an edge between them, the

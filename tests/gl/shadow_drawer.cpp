@@ -11,9 +11,9 @@ TracedAtlas ShadowDrawer::drawAtlas(const FramePlan& plan, const CasterSource& c
     atlas.resize(device, plan);
     if (const CasterBuffers* buffers = std::get_if<CasterBuffers>(&casters)) {
         surfaces.update(*buffers);
-        depthPass.run(plan, tables, surfaces, atlas);
+        depthPass.run(plan, tables, surfaces, atlas, culling);
     } else {
-        depthPass.run(plan, tables, std::get<CasterCallback>(casters), atlas);
+        depthPass.run(plan, tables, std::get<CasterCallback>(casters), atlas, culling);
     }
     return atlas.download(plan.layers);
 }

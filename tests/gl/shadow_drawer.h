@@ -19,13 +19,14 @@ struct ShadowDrawer
     gl::Surfaces surfaces{device};
     gl::PlanTables tables;
     gl::ShadowAtlas atlas;
-    gl::LightDepthPass depthPass;
+    gl::LightDepthPass depthPass{device};
     gl::LookupPass lookupPass;
     gl::PointList points{device};
     gl::VisibilityList visibility;
 
     using Culling = gl::LightDepthPass::Culling;
-    explicit ShadowDrawer(gl::Device& on, Culling culling = Culling::ByRegion) : device(on), depthPass(on, culling) {}
+    Culling culling;
+    explicit ShadowDrawer(gl::Device& on, Culling which = Culling::ByRegion) : device(on), culling(which) {}
     TracedAtlas drawAtlas(const FramePlan& plan, const CasterSource& casters);
 
     void writeAtlas(const FramePlan& plan, const TracedAtlas& maps);

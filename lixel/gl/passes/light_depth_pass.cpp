@@ -40,8 +40,7 @@ std::vector<Plane> casterVolume(const Mat4d& lightClipFromLocal)
     return planes;
 }
 
-LightDepthPass::LightDepthPass(const Device& device, Culling culling)
-    : mostViewports_(std::min(device.limits().viewports, 32)), culling_(culling)
+LightDepthPass::LightDepthPass(const Device& device) : mostViewports_(std::min(device.limits().viewports, 32))
 {
     opaque_ = Program::graphics({"caster.vert.glsl", "opaque.frag.glsl"});
     const std::array<std::string, 1> masked{"MASKED"};
@@ -78,18 +77,18 @@ void LightDepthPass::forEachBatch(const FramePlan& plan, const PlanTables& table
 }
 
 void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const Surfaces& casters,
-                         const ShadowAtlas& atlas)
+                         const ShadowAtlas& atlas, Culling culling)
 {
     LX_ASSERT(casters.originWorld() == plan.originWorld);
     drawn_ = culled_ = 0;
-    forEachBatch(plan, tables, atlas, [&](const Batch& batch) { drawSurfaces(plan, casters, batch); });
+    forEachBatch(plan, tables, atlas, [&](const Batch& batch) { drawSurfaces(plan, casters, batch, culling); });
 }
 
-void LightDepthPass::drawSurfaces(const FramePlan& plan, const Surfaces& casters, const Batch& batch)
+void LightDepthPass::drawSurfaces(const FramePlan& plan, const Surfaces& casters, const Batch& batch, Culling culling)
 {
     const std::vector<const PlannedRegion*> regions = regionsOf(plan);
     volumes_.assign(std::size_t(batch.count), {});
-    for (std::size_t i = 0; i < volumes_.size() && culling_ == Culling::ByRegion; ++i)
+    for (std::size_t i = 0; i < volumes_.size() && culling == Culling::ByRegion; ++i)
         volumes_[i] = casterVolume(regions[std::size_t(batch.first) + i]->lightClipFromLocal);
     draws_.list(casters.runs(), volumes_, std::uint32_t(batch.first));
     drawn_ += draws_.drawn();
@@ -115,7 +114,7 @@ void LightDepthPass::drawSurfaces(const FramePlan& plan, const Surfaces& casters
 }
 
 void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const CasterCallback& casters,
-                         const ShadowAtlas& atlas)
+                         const ShadowAtlas& atlas, Culling culling)
 {
     LX_ASSERT(casters.originWorld == plan.originWorld);
     const std::vector<const PlannedRegion*> regions = regionsOf(plan);
@@ -124,7 +123,9 @@ void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const 
     forEachBatch(plan, tables, atlas, [&](const Batch& batch) {
         views.clear();
         for (int i = batch.first; i < batch.first + batch.count; ++i)
-            views.push_back({std::uint32_t(i), casterVolume(regions[std::size_t(i)]->lightClipFromLocal)});
+            views.push_back({std::uint32_t(i), culling == Culling::ByRegion
+                                                   ? casterVolume(regions[std::size_t(i)]->lightClipFromLocal)
+                                                   : std::vector<Plane>{}});
         casters.draw(views);
     });
 }

@@ -15,14 +15,15 @@ class LightDepthPass
 {
 public:
     static constexpr const char* kName = "light depth";
-    enum class Culling {
-        ByRegion,
-        Off // everything into every region: the same maps, for comparison
-    };
-    explicit LightDepthPass(const Device& device, Culling culling = Culling::ByRegion);
+    // By the plan's own matrices, or not at all: then everything is drawn into every region, which gives the same maps, and is
+    // what there is where the device alone knows the tables.
+    enum class Culling { ByRegion, Off };
+    explicit LightDepthPass(const Device& device);
 
-    void run(const FramePlan& plan, const PlanTables& tables, const Surfaces& casters, const ShadowAtlas& atlas);
-    void run(const FramePlan& plan, const PlanTables& tables, const CasterCallback& casters, const ShadowAtlas& atlas);
+    void run(const FramePlan& plan, const PlanTables& tables, const Surfaces& casters, const ShadowAtlas& atlas,
+             Culling culling = Culling::ByRegion);
+    void run(const FramePlan& plan, const PlanTables& tables, const CasterCallback& casters, const ShadowAtlas& atlas,
+             Culling culling = Culling::ByRegion);
 
     // Of the last run: triangles of buffers times the regions they were drawn into, or were left out of.
     std::uint64_t trianglesDrawn() const { return drawn_; }
@@ -37,11 +38,10 @@ private:
     template <typename Draw>
     void forEachBatch(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas, const Draw& draw);
     void bindBatch(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas, const Batch& batch);
-    void drawSurfaces(const FramePlan& plan, const Surfaces& casters, const Batch& batch);
+    void drawSurfaces(const FramePlan& plan, const Surfaces& casters, const Batch& batch, Culling culling);
 
     Program opaque_, masked_;
     int mostViewports_ = 1;
-    Culling culling_;
     Buffer batch_, commands_, instances_;
     CasterDraws draws_;
     std::vector<std::vector<Plane>> volumes_;
