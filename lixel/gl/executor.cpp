@@ -4,9 +4,12 @@
 #include "lixel/base/assert.h"
 #include "lixel/gl/device/device.h"
 #include "lixel/gl/device/pass_timer.h"
+#include "lixel/gl/passes/drawn_maps.h"
 #include "lixel/gl/passes/gather_pass.h"
 #include "lixel/gl/passes/light_depth_pass.h"
 #include "lixel/gl/passes/lookup_pass.h"
+#include "lixel/gl/passes/observation_readback.h"
+#include "lixel/gl/passes/sdsm_pass.h"
 #include "lixel/gl/passes/shade_pass.h"
 #include "lixel/gl/passes/view_pass.h"
 
@@ -58,6 +61,8 @@ struct GlExecutor::State
     gl::Surfaces casting{device}; // casters of another version
     gl::PlanTables tables;
     gl::ShadowAtlas atlas;
+    gl::DrawnMaps inAtlas;
+    std::uint64_t mapsDrawn = 0;
     gl::ViewTargets targets;
     gl::PointList pixels{device};  // one entry a pixel, of the view drawn last
     gl::PointList samples{device}; // a caller's
@@ -67,6 +72,9 @@ struct GlExecutor::State
     gl::LightDepthPass lightDepthPass{device};
     gl::LookupPass lookupPass;
     gl::ShadePass shadePass;
+    gl::SamplePass samplePass{device};
+    gl::SdsmPass sdsmPass;
+    gl::ObservationReadback ownFrame{0}, earlierFrame{kObservationAge};
     std::optional<View> drawn; // what `targets` and `pixels` hold, of the casters' version ...
     std::uint64_t drawnVersion = 0;
 
@@ -99,9 +107,17 @@ struct GlExecutor::State
         if (!isThere) drawView(casters, view);
     }
 
-    void drawMaps(const FramePlan& plan, const CasterSource& casters)
+    // Fills are made from `pixels`. Their maps are drawn each time, with all casters: only the device knows what they hold.
+    void drawMaps(const FramePlan& plan, const CasterSource& casters, std::span<const SdsmFill> fills = {})
     {
         tables.upload(plan);
+        for (const SdsmFill& fill : fills) {
+            gl::PassTimer::Scope scope(timer, gl::SdsmPass::kName);
+            sdsmPass.run(fill, pixels, tables);
+        }
+        if (fills.empty() && inAtlas.areThoseOf(plan, casters)) return;
+        const auto culling = fills.empty() ? gl::LightDepthPass::Culling::ByRegion : gl::LightDepthPass::Culling::Off;
+        inAtlas.forget();
         atlas.resize(device, plan);
         const CasterBuffers* buffers = std::get_if<CasterBuffers>(&casters);
         // What is seen mostly casts as well, and is then here once.
@@ -109,8 +125,10 @@ struct GlExecutor::State
         gl::Surfaces& surfaces = isSeen ? seen : casting;
         if (buffers && !isSeen) surfaces.update(*buffers);
         gl::PassTimer::Scope scope(timer, gl::LightDepthPass::kName);
-        if (buffers) lightDepthPass.run(plan, tables, surfaces, atlas);
-        else lightDepthPass.run(plan, tables, std::get<CasterCallback>(casters), atlas);
+        if (buffers) lightDepthPass.run(plan, tables, surfaces, atlas, culling);
+        else lightDepthPass.run(plan, tables, std::get<CasterCallback>(casters), atlas, culling);
+        if (fills.empty()) inAtlas.set(plan, casters);
+        mapsDrawn += plan.regionTable.size();
     }
 
     void lookUp(const FramePlan& plan, const gl::PointList& points, gl::VisibilityList& visibility)
@@ -119,11 +137,33 @@ struct GlExecutor::State
         lookupPass.run(plan, tables, atlas, points, visibility);
     }
 
+    // Of `pixels` and their visibility.
+    void sample(std::span<const Light> lights, ObservationGrid grid)
+    {
+        gl::PassTimer::Scope scope(timer, gl::SamplePass::kName);
+        samplePass.run(pixels, visibilityOfPixels, lights, gridWithin(grid, *drawn));
+    }
+
+    Observation observedNow(ObservationGrid grid)
+    {
+        Observation observation;
+        ownFrame.push(samplePass, observedFrame(grid));
+        ownFrame.take(observation);
+        device.throwOnMessages("an observation");
+        return observation;
+    }
+
+    ObservedFrame observedFrame(ObservationGrid grid) const
+    {
+        return {*drawn, pixels.originWorld(), gridWithin(grid, *drawn), visibilityOfPixels.lights() > 0};
+    }
+
     void drawFrame(const Frame& frame, bool isShaded)
     {
         drawView(frame.seen, frame.view);
-        drawMaps(frame.plan, frame.casters);
+        drawMaps(frame.plan, frame.casters, frame.fills);
         lookUp(frame.plan, pixels, visibilityOfPixels);
+        if (frame.observed) sample(frame.lights, *frame.observed);
         if (!isShaded) return;
         gl::PassTimer::Scope scope(timer, gl::ShadePass::kName);
         shadePass.run(seen, targets, pixels, visibilityOfPixels, frame.lights);
@@ -143,6 +183,7 @@ GlExecutor& GlExecutor::operator=(GlExecutor&&) noexcept = default;
 
 const std::string& GlExecutor::renderer() const { return state_->device.renderer(); }
 bool GlExecutor::isSoftware() const { return state_->device.isSoftware(); }
+std::uint64_t GlExecutor::mapsDrawn() const { return state_->mapsDrawn; }
 
 ViewSamples GlExecutor::viewSamples(const CasterBuffers& casters, const View& view)
 {
@@ -199,18 +240,60 @@ Image<Rgba8> GlExecutor::render(const Frame& frame)
     return picture;
 }
 
+Observation GlExecutor::observe(const CasterBuffers& casters, const View& view, ObservationGrid grid)
+{
+    state_->device.makeCurrent();
+    state_->needView(casters, view);
+    state_->visibilityOfPixels.resize(state_->pixels, 0);
+    state_->sample({}, grid);
+    return state_->observedNow(grid);
+}
+
+Observation GlExecutor::observe(const Frame& frame)
+{
+    LX_ASSERT(frame.lights.size() == frame.plan.lights.size());
+    const ObservationGrid grid = frame.observed.value_or(ObservationGrid{});
+    state_->device.makeCurrent();
+    state_->needView(frame.seen, frame.view);
+    state_->drawMaps(frame.plan, frame.casters, frame.fills);
+    state_->lookUp(frame.plan, state_->pixels, state_->visibilityOfPixels);
+    state_->sample(frame.lights, grid);
+    return state_->observedNow(grid);
+}
+
+std::optional<Observation> GlExecutor::advance(const Frame& frame, Observation recycled)
+{
+    LX_ASSERT(frame.lights.size() == frame.plan.lights.size());
+    state_->device.makeCurrent();
+    Frame observed = frame;
+    observed.observed = frame.observed.value_or(ObservationGrid{});
+    state_->drawFrame(observed, true);
+    state_->earlierFrame.push(state_->samplePass, state_->observedFrame(*observed.observed));
+    const bool isThere = state_->earlierFrame.take(recycled);
+    state_->device.throwOnMessages("a frame");
+    return isThere ? std::optional<Observation>(std::move(recycled)) : std::nullopt;
+}
+
+void GlExecutor::restart() { state_->earlierFrame.clear(); }
+
+std::uint64_t GlExecutor::readbackWaits() const { return state_->earlierFrame.waits(); }
+
 FrameTimes GlExecutor::measure(const Frame& frame, int frames)
 {
     const bool isShaded = !frame.lights.empty();
-    LX_ASSERT(frames > 0 && (!isShaded || frame.lights.size() == frame.plan.lights.size()));
+    LX_ASSERT(frames > 0 && ((!isShaded && !frame.observed) || frame.lights.size() == frame.plan.lights.size()));
     state_->device.makeCurrent();
-    for (int i = 0; i < 2; ++i) state_->drawFrame(frame, isShaded);
+    const auto drawAnew = [&] {
+        state_->inAtlas.forget();
+        state_->drawFrame(frame, isShaded);
+    };
+    for (int i = 0; i < 2; ++i) drawAnew();
     FrameTimes times;
     std::vector<double> wholeMs, gpuMs;
     for (int i = 0; i < frames; ++i) {
         glFinish();
         const auto began = std::chrono::steady_clock::now();
-        state_->drawFrame(frame, isShaded);
+        drawAnew();
         glFinish();
         wholeMs.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count());
     }
@@ -219,7 +302,7 @@ FrameTimes GlExecutor::measure(const Frame& frame, int frames)
     std::vector<std::vector<double>> passMs;
     for (int i = 0; i < frames; ++i) {
         state_->timer.start();
-        state_->drawFrame(frame, isShaded);
+        drawAnew();
         const std::vector<gl::PassTimer::Pass> passes = state_->timer.stop();
         passMs.resize(passes.size());
         times.passes.resize(passes.size());
@@ -233,6 +316,8 @@ FrameTimes GlExecutor::measure(const Frame& frame, int frames)
     for (std::size_t p = 0; p < passMs.size(); ++p) times.passes[p].ms = median(passMs[p]);
     if (!isSoftware()) times.gpuMs = median(gpuMs);
     times.clock = state_->timer.clock();
+    times.trianglesDrawn = state_->lightDepthPass.trianglesDrawn();
+    times.trianglesCulled = state_->lightDepthPass.trianglesCulled();
     state_->device.throwOnMessages("measuring");
     return times;
 }

@@ -4,12 +4,15 @@
 #include "lixel/base/caster_source.h"
 #include "lixel/base/image.h"
 #include "lixel/base/light.h"
+#include "lixel/base/observation.h"
 #include "lixel/base/view.h"
 #include "lixel/base/view_samples.h"
 #include "lixel/base/visibility.h"
 #include "lixel/gl/graphics_error.h"
+#include "lixel/plan/partition/sdsm_fill.h"
 #include "lixel/plan/shadow_plan.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,7 +21,8 @@
 
 namespace lixel {
 
-// What a frame costs, medians. A frame is: view, gather, light depth, lookup, shade; nothing is read back in it.
+// What a frame costs, medians. A frame is: view, gather, sdsm if tables are to be made, light depth, lookup, and as asked for
+// sample and shade; nothing is read back in it.
 struct FrameTimes
 {
     struct Pass
@@ -30,6 +34,9 @@ struct FrameTimes
     std::optional<double> gpuMs; // by timer queries; nothing on software drivers, where they see next to nothing
     std::vector<Pass> passes;    // of separate frames, in their order
     std::string clock;           // what the passes were timed by
+    // Of casters in buffers: triangles times the regions they were drawn into, and those times the regions that could not see
+    // them.
+    std::uint64_t trianglesDrawn = 0, trianglesCulled = 0;
 };
 
 // The executor on OpenGL 4.5 core: does what a plan says on the device, and decides nothing about shadows. It owns its passes and
@@ -51,6 +58,10 @@ public:
 
     const std::string& renderer() const;
     bool isSoftware() const;
+
+    // Regions drawn so far. Maps of a plan stay: where the next plan's maps are the same, of casters of the same version (which
+    // is not 0), they are not drawn again.
+    std::uint64_t mapsDrawn() const;
 
     // What the view sees: one sample a pixel centre, row by row from the bottom; pixels that see nothing have none.
     ViewSamples viewSamples(const CasterBuffers& casters, const View& view);
@@ -74,10 +85,25 @@ public:
         const View& view;
         const FramePlan& plan;
         std::span<const Light> lights; // of the plan; empty: measure() leaves the shade pass out
+        std::optional<ObservationGrid> observed = std::nullopt; // nothing: measure() leaves the sample pass out
+        std::span<const SdsmFill> fills = {}; // of a layout: tables that are made on the device from what is seen
     };
     Image<Rgba8> render(const Frame& frame);
 
-    // Draws the frame twice to warm up, then `frames` times undisturbed and `frames` times pass by pass.
+    // What the view sees, at low resolution, and with a frame which lights reach it: of age 0, so it waits for the device. Without
+    // `observed` the grid is the usual one.
+    Observation observe(const CasterBuffers& casters, const View& view, ObservationGrid grid = {});
+    Observation observe(const Frame& frame);
+
+    // One frame of a loop, drawn like render()'s, but the picture stays on the device. Returns what was observed in the frame
+    // kObservationAge calls before, always that one; nothing in the first calls of a loop. Where the host runs no more frames
+    // ahead of the device than this, nothing is waited for. The storage of `recycled` is used again.
+    static constexpr int kObservationAge = 2;
+    std::optional<Observation> advance(const Frame& frame, Observation recycled = {});
+    void restart();                      // the next advance() is the first of a loop
+    std::uint64_t readbackWaits() const; // calls of advance() that met an observation which was still on its way
+
+    // Draws the frame, and its maps each time, twice to warm up, then `frames` times undisturbed and `frames` times pass by pass.
     FrameTimes measure(const Frame& frame, int frames = 15);
 
 private:

@@ -11,6 +11,7 @@ const int kAttributePosition = 0;
 const int kAttributeUv = 1;
 const int kAttributeColour = 2;
 const int kAttributeNormal = 3;
+const int kAttributeInstance = 4; // of casters from buffers: CasterInstance, one an instance
 
 // Shader storage buffers.
 const int kStorageIndices = 0;
@@ -24,10 +25,14 @@ const int kStorageRegions = 7;
 const int kStorageLights = 8;
 const int kStorageHalfSpaces = 9;
 const int kStorageShadingLights = 10;
+const int kStorageCells = 11;
+const int kStorageSdsm = 12;
+const int kStorageSdsmCasters = 13;
 
 // Uniform buffers.
 const int kUniformView = 0;
 const int kUniformBatch = 1;
+const int kUniformSdsm = 2;
 
 // Texture units.
 const int kUnitSurface = 0;

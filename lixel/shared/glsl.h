@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The words of GLSL that the files of this folder use, so that C++ reads the very same text: vec2, vec3, vec4, mat4, float
-// arithmetic and a few functions. GLSL includes this file too and finds it empty but for LX_FN.
+// arithmetic and a few functions. GLSL includes this file too and finds it empty but for the macros.
 //
 // Rules of the common subset: literals are floats with an f (0.5f), every value is named and constructed as vec3(x, y, z),
 // components are .x .y .z .w one at a time, functions begin with LX_FN, and arguments are passed by value.
+// Where both must come to the same bits, variables are LX_PRECISE: evaluated as written.
 #ifndef LIXEL_SHARED_GLSL_H
 #define LIXEL_SHARED_GLSL_H
 
@@ -13,6 +14,7 @@
 #include <cmath>
 
 #define LX_FN inline
+#define LX_PRECISE
 #define LX_SHARED_BEGIN namespace lixel::shared {
 #define LX_SHARED_END }
 
@@ -94,6 +96,7 @@ inline vec3 normalize(vec3 a) { return a / length(a); }
 #else
 
 #define LX_FN
+#define LX_PRECISE precise
 #define LX_SHARED_BEGIN
 #define LX_SHARED_END
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 namespace lixel::test {
 namespace {
@@ -100,6 +101,55 @@ TEST_F(ExecutorTest, NothingIsMadeAfterTheFirstFrameAndTheSameFrameIsTheSamePict
     EXPECT_EQ(gl::objectsMade(), before);
 }
 
+TEST_F(ExecutorTest, MapsAreDrawnAgainOnlyWhenTheyOrTheirCastersDiffer)
+{
+    GlExecutor executor;
+    Rng rng(13);
+    Setting s = anySetting(rng, 3, {40, 30}, 50, 40);
+    const ViewSamples samples = executor.viewSamples(s.casters, s.view);
+    std::uint64_t before = 0;
+    const auto drawn = [&](const CasterSource& source) { // and the maps are right, whether they were drawn or not
+        GlExecutor fresh;
+        const std::vector<Visibility> got = executor.run(s.plan, source, samples),
+                                      wanted = fresh.run(s.plan, source, samples);
+        for (std::size_t i = 0; i < got.size(); ++i) EXPECT_EQ(got[i].value, wanted[i].value);
+        return executor.mapsDrawn() - std::exchange(before, executor.mapsDrawn());
+    };
+    EXPECT_EQ(drawn(s.casters), 3u);
+    EXPECT_EQ(drawn(s.casters), 0u);
+    std::swap(s.plan.lightTable[0], s.plan.lightTable[1]); // the same maps, read by other lights
+    EXPECT_EQ(drawn(s.casters), 0u);
+    s.plan = planFor(s.scene, s.view, s.lights, {30, 40});
+    EXPECT_EQ(drawn(s.casters), 3u);
+    s.casters.version += 2;
+    EXPECT_EQ(drawn(s.casters), 3u);
+    s.casters.version = 0;
+    EXPECT_EQ(drawn(s.casters), 3u);
+    EXPECT_EQ(drawn(s.casters), 3u);
+
+    s.casters.version = 5;
+    EXPECT_EQ(drawn(s.casters), 3u);
+    CasterCallback nothing; // a host's casters have versions of their own
+    nothing.draw = [](std::span<const CasterView>) {};
+    nothing.version = 5;
+    EXPECT_EQ(drawn(nothing), 3u);
+    EXPECT_EQ(drawn(nothing), 0u);
+}
+
+TEST_F(ExecutorTest, MeasuringDrawsTheMapsOfEveryFrame)
+{
+    GlExecutor executor;
+    Rng rng(3);
+    const Setting s = anySetting(rng, 2, {32, 32}, 24, 24);
+    const CasterSource source = s.casters;
+    const GlExecutor::Frame frame{s.casters, source, s.view, s.plan, s.lights};
+    executor.render(frame);
+    executor.render(frame);
+    EXPECT_EQ(executor.mapsDrawn(), 2u);
+    executor.measure(frame, 4);
+    EXPECT_EQ(executor.mapsDrawn(), 2u + 2u * (2 + 2 * 4));
+}
+
 TEST_F(ExecutorTest, ThirtyTwoLightsEachDarkenOnlyTheirOwn)
 {
     GlExecutor executor;
@@ -185,12 +235,17 @@ TEST_F(ExecutorTest, AFrameHasATimeAndEachPassItsOwn)
     Rng rng(4);
     const Setting s = anySetting(rng, 1, {64, 64}, 64, 48);
     const CasterSource source = s.casters;
-    const FrameTimes times = executor.measure({s.casters, source, s.view, s.plan, s.lights}, 3);
+    GlExecutor::Frame frame{s.casters, source, s.view, s.plan, s.lights};
+    const FrameTimes times = executor.measure(frame, 3);
     EXPECT_GT(times.frameMs, 0);
     std::vector<std::string> names;
     for (const FrameTimes::Pass& pass : times.passes) names.push_back(pass.name);
     EXPECT_EQ(names, (std::vector<std::string>{"view", "gather", "light depth", "lookup", "shade"}));
     EXPECT_EQ(times.gpuMs.has_value(), !executor.isSoftware());
+    EXPECT_EQ(times.trianglesDrawn + times.trianglesCulled, s.scene.indices.size() / 3);
+
+    frame.observed = ObservationGrid{};
+    EXPECT_EQ(executor.measure(frame, 1).passes[4].name, "sample");
 }
 
 } // namespace

@@ -38,4 +38,21 @@ protected:
     gl::Device& device() { return *graphics(); }
 };
 
+// Limits far below any device's, until the end of the scope.
+class LowLimits
+{
+public:
+    LowLimits(gl::Device& device, std::int64_t storageBlockBytes) : device_(device), whole_(device.limits())
+    {
+        gl::DeviceLimits low = whole_;
+        low.storageBlockBytes = storageBlockBytes;
+        device.setLimits(low);
+    }
+    ~LowLimits() { device_.setLimits(whole_); }
+
+private:
+    gl::Device& device_;
+    gl::DeviceLimits whole_;
+};
+
 } // namespace lixel::test

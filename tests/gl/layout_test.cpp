@@ -2,6 +2,8 @@
 #include "graphics.h"
 
 #include "lixel/gl/device/program.h"
+#include "lixel/shared/observe.h"
+#include "lixel/shared/sdsm.h"
 #include "lixel/shared/shading.h"
 #include "lixel/shared/shadow_tables.h"
 #include "lixel/shared/view_tables.h"
@@ -97,6 +99,16 @@ TEST_F(LayoutTest, ViewTablesLieAsInCpp)
     LX_EXPECT_MEMBER(material, GL_BUFFER_VARIABLE, shared::SurfaceMaterial, emission);
     LX_EXPECT_MEMBER(material, GL_BUFFER_VARIABLE, shared::SurfaceMaterial, alphaCutoff);
 
+    const ProgramName cell = programWith("lixel/shared/observe.h", "ObservedPoint", kStorage,
+                                         "row.point.positionLocal.x + float(row.point.triangle + row.lit + row.facing "
+                                         "+ row.atBoundary + row.atDepthJump)");
+    LX_EXPECT_MEMBER(cell, GL_BUFFER_VARIABLE, shared::ObservedPoint, point.positionLocal);
+    LX_EXPECT_MEMBER(cell, GL_BUFFER_VARIABLE, shared::ObservedPoint, point.triangle);
+    LX_EXPECT_MEMBER(cell, GL_BUFFER_VARIABLE, shared::ObservedPoint, lit);
+    LX_EXPECT_MEMBER(cell, GL_BUFFER_VARIABLE, shared::ObservedPoint, facing);
+    LX_EXPECT_MEMBER(cell, GL_BUFFER_VARIABLE, shared::ObservedPoint, atBoundary);
+    LX_EXPECT_MEMBER(cell, GL_BUFFER_VARIABLE, shared::ObservedPoint, atDepthJump);
+
     const ProgramName rays = programWith("lixel/shared/view_tables.h", "ViewRays", kUniform,
                                          "row.rayOrigin[2].x + row.rayDirection[2].x + row.clipW.x + row.eyeLocal.x");
     expectOffset(rays, GL_UNIFORM, "rayOrigin[0]", offsetof(shared::ViewRays, rayOrigin), sizeof(shared::ViewRays));
@@ -105,6 +117,25 @@ TEST_F(LayoutTest, ViewTablesLieAsInCpp)
     LX_EXPECT_MEMBER(rays, GL_UNIFORM, shared::ViewRays, clipW);
     LX_EXPECT_MEMBER(rays, GL_UNIFORM, shared::ViewRays, eyeLocal);
     EXPECT_EQ(property(rays, GL_UNIFORM, "rows[0].rayOrigin[0]", GL_ARRAY_STRIDE), GLint(sizeof(shared::dvec4)));
+}
+
+TEST_F(LayoutTest, SdsmTablesLieAsInCpp)
+{
+    const ProgramName setup = programWith("lixel/shared/sdsm.h", "SdsmSetup", kUniform,
+                                          "row.light.colour.x + row.viewDepth.x + row.lightX.x + row.lightY.x + "
+                                          "row.lightDepth.x + row.regions.x + row.options.x");
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::SdsmSetup, light.colour);
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::SdsmSetup, viewDepth);
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::SdsmSetup, lightX);
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::SdsmSetup, lightY);
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::SdsmSetup, lightDepth);
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::SdsmSetup, regions);
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::SdsmSetup, options);
+
+    const ProgramName casters =
+        programWith("lixel/shared/sdsm.h", "SdsmCasters", kStorage, "row.onPlane.x + row.depth.x");
+    LX_EXPECT_MEMBER(casters, GL_BUFFER_VARIABLE, shared::SdsmCasters, onPlane);
+    LX_EXPECT_MEMBER(casters, GL_BUFFER_VARIABLE, shared::SdsmCasters, depth);
 }
 
 TEST_F(LayoutTest, ShadingLightsLieAsInCpp)

@@ -222,5 +222,75 @@ TEST_F(LightDepthTest, ACasterOutsideOfTheVolumeGivenToTheHostDarkensNothing)
     });
 }
 
+// Both ways of drawing, and the shares of triangles that culling left out.
+struct CullingComparison
+{
+    explicit CullingComparison(gl::Device& device) : culled(device), whole(device, gl::LightDepthPass::Culling::Off) {}
+
+    void expectSameMaps(const FramePlan& plan, const CasterBuffers& casters)
+    {
+        const TracedAtlas a = culled.drawAtlas(plan, casters), b = whole.drawAtlas(plan, casters);
+        ASSERT_EQ(a.size(), b.size());
+        for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].data(), b[i].data()) << "layer " << i;
+        EXPECT_EQ(whole.depthPass.trianglesCulled(), 0u);
+        EXPECT_EQ(culled.depthPass.trianglesDrawn() + culled.depthPass.trianglesCulled(),
+                  whole.depthPass.trianglesDrawn());
+        all += whole.depthPass.trianglesDrawn();
+        left += culled.depthPass.trianglesCulled();
+    }
+
+    ShadowDrawer culled, whole;
+    std::uint64_t all = 0, left = 0;
+};
+
+TEST_F(LightDepthTest, CastersCulledPerRegionLeaveEveryLixelAsItWas)
+{
+    CullingComparison comparison(device());
+    forEachCase(60, [&](Rng& rng) {
+        const double half = rng.logUniform(1e-3, 1e4);
+        SmallScene scene = rng.chance(0.5) ? anyObjectsOnAFloor(rng, half) : anyTriangleSoup(rng, 600, half);
+        scene.originWorld = rng.chance(0.3) ? 1e5 * rng.onSphere() : Vec3d{};
+        const View view = anyViewOf(rng, scene.originWorld, half, 64, 64);
+        const Light light = anyLightOn(rng, scene.originWorld, half, 0.1, 1e5);
+        const std::optional<FramePlan> plan =
+            planOfQuarters(scene.boxWorld(), view, light, scene.originWorld, {rng.integer(1, 90), rng.integer(1, 90)});
+        if (plan) comparison.expectSameMaps(*plan, scene.casters());
+    });
+    std::printf("%llu of %llu triangles left out\n", static_cast<unsigned long long>(comparison.left),
+                static_cast<unsigned long long>(comparison.all));
+    EXPECT_GT(comparison.left, comparison.all / 20);
+}
+
+TEST_F(LightDepthTest, CullingLeavesTheMapsOfAWholeSceneAsTheyWere)
+{
+    for (const char* name : {"objects", "city", "fence"}) {
+        const auto scene = std::make_shared<const Scene>(buildBuiltin(name).value());
+        CullingComparison comparison(device());
+        Rng rng(4);
+        const SceneBuffers buffers = evaluate(scene, {}, {});
+        const Box box = buffers.bounds.total();
+        std::optional<FramePlan> plan;
+        while (!plan) {
+            const View view = anyViewOf(rng, box.centre(), 0.3 * box.diagonal(), 64, 64);
+            const Light light = anyLightOn(rng, box.centre(), 0.5 * box.diagonal());
+            plan = planOfQuarters(box, view, light, {}, {256, 256});
+        }
+        comparison.expectSameMaps(*plan, buffers.casters());
+        EXPECT_GT(comparison.left, 0u) << name;
+    }
+}
+
+// A batch takes as many regions as there are viewports; a region beyond 32 is still drawn.
+TEST_F(LightDepthTest, InstancesFindTheirRegionInEveryBatch)
+{
+    CullingComparison comparison(device());
+    Rng rng(12);
+    const SmallScene scene = anyTriangleSoup(rng, 500, 1);
+    const View view = anyViewOf(rng, {}, 1, 64, 64);
+    std::vector<Light> lights;
+    for (int i = 0; i < 40; ++i) lights.push_back(anyLightOn(rng, {}, 1));
+    comparison.expectSameMaps(planFor(scene, view, lights, {24, 24}), scene.casters());
+}
+
 } // namespace
 } // namespace lixel::test

@@ -11,9 +11,9 @@ TracedAtlas ShadowDrawer::drawAtlas(const FramePlan& plan, const CasterSource& c
     atlas.resize(device, plan);
     if (const CasterBuffers* buffers = std::get_if<CasterBuffers>(&casters)) {
         surfaces.update(*buffers);
-        depthPass.run(plan, tables, surfaces, atlas);
+        depthPass.run(plan, tables, surfaces, atlas, culling);
     } else {
-        depthPass.run(plan, tables, std::get<CasterCallback>(casters), atlas);
+        depthPass.run(plan, tables, std::get<CasterCallback>(casters), atlas, culling);
     }
     return atlas.download(plan.layers);
 }
@@ -50,6 +50,42 @@ FramePlan planFor(const SmallScene& scene, const View& view, std::span<const Lig
 {
     const Box box = scene.boxWorld();
     return planShadows({view, lights, {&box, 1}, scene.originWorld, technique, lixels});
+}
+
+std::optional<FramePlan> planOfQuarters(const Box& boxWorld, const View& view, const Light& light, Vec3d originWorld,
+                                        LixelSize lixels)
+{
+    FramePlan plan;
+    plan.atlas = {2 * lixels.width, 2 * lixels.height};
+    plan.layers = 1;
+    plan.lights.resize(1);
+    plan.originWorld = originWorld;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const int i = quarter % 2, j = quarter / 2;
+        const double x = 1 - 2 * i, y = 1 - 2 * j; // of NDC, a quarter becomes the whole
+        View part = view;
+        part.clipFromAnchored =
+            Mat4d::fromRows({2, 0, 0, x}, {0, 2, 0, y}, {0, 0, 1, 0}, {0, 0, 0, 1}) * view.clipFromAnchored;
+        const FramePlan alone = planShadows({part, {&light, 1}, {&boxWorld, 1}, originWorld, {}, lixels});
+        if (alone.lights[0].refused) return std::nullopt;
+        plan.lookup = alone.lookup;
+        PlannedRegion region = alone.lights[0].regions[0];
+        const int x0 = i * lixels.width, y0 = j * lixels.height;
+        region.rectangle = {x0, y0, x0 + lixels.width, y0 + lixels.height, 0};
+        plan.lights[0].regions.push_back(region);
+        shared::ShadowRegion row = alone.regionTable[0];
+        row.lixelFromNdc.z += float(x0), row.lixelFromNdc.w += float(y0);
+        row.rectangle = {float(x0), float(y0), float(x0 + lixels.width), float(y0 + lixels.height)};
+        row.place = {0, float(plan.halfSpaceTable.size()), 2, 0};
+        plan.regionTable.push_back(row);
+        const Mat4d clip = clipFromLocal(view, originWorld);
+        for (const Vec4d& side : {-x * clip.row(0), -y * clip.row(1)})
+            plan.halfSpaceTable.push_back({float(side.x), float(side.y), float(side.z), float(side.w)});
+    }
+    shared::ShadowLight lightRow;
+    lightRow.regions = {0, 4, 1, 0};
+    plan.lightTable.push_back(lightRow);
+    return plan;
 }
 
 } // namespace lixel::test

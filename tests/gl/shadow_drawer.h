@@ -7,6 +7,7 @@
 #include "lixel/trace/trace_executor.h"
 #include "small_scenes.h"
 
+#include <optional>
 #include <variant>
 
 namespace lixel::test {
@@ -23,7 +24,9 @@ struct ShadowDrawer
     gl::PointList points{device};
     gl::VisibilityList visibility;
 
-    explicit ShadowDrawer(gl::Device& on) : device(on) {}
+    using Culling = gl::LightDepthPass::Culling;
+    Culling culling;
+    explicit ShadowDrawer(gl::Device& on, Culling which = Culling::ByRegion) : device(on), culling(which) {}
     TracedAtlas drawAtlas(const FramePlan& plan, const CasterSource& casters);
 
     void writeAtlas(const FramePlan& plan, const TracedAtlas& maps);
@@ -36,5 +39,10 @@ Light anyLightOn(Rng& rng, Vec3d centreWorld, double half, double least = 2.5, d
 // Lights whose plan is refused stay in it.
 FramePlan planFor(const SmallScene& scene, const View& view, std::span<const Light> lights, LixelSize lixels,
                   const MapTechnique& technique = {});
+
+// The same for one light with four regions, one for each quarter of the picture, in quarters of one layer. Nothing where one of
+// them is refused.
+std::optional<FramePlan> planOfQuarters(const Box& boxWorld, const View& view, const Light& light, Vec3d originWorld,
+                                        LixelSize lixels);
 
 } // namespace lixel::test

@@ -143,23 +143,6 @@ TEST_F(ViewSamplesTest, FramesAfterTheFirstMakeNoObjects)
     EXPECT_EQ(objectsMade(), before);
 }
 
-// Limits far below any device's, until the end of the scope.
-class LowLimits
-{
-public:
-    LowLimits(Device& device, std::int64_t storageBlockBytes) : device_(device), whole_(device.limits())
-    {
-        DeviceLimits low = whole_;
-        low.storageBlockBytes = storageBlockBytes;
-        device.setLimits(low);
-    }
-    ~LowLimits() { device_.setLimits(whole_); }
-
-private:
-    Device& device_;
-    DeviceLimits whole_;
-};
-
 TEST_F(ViewSamplesTest, ListsAndTrianglesThatAreSplitGiveTheSameSamples)
 {
     ViewDrawer draw(device());

@@ -42,18 +42,43 @@ Query makeTimerQuery()
     return Query(name);
 }
 
+namespace {
+
+// OpenGL knows no empty buffer.
+std::size_t leastRoom(std::size_t bytes) { return std::max<std::size_t>(bytes, 16); }
+
+detail::Name<detail::deleteBuffer> makeBuffer(std::size_t bytes, GLbitfield flags)
+{
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    detail::Name<detail::deleteBuffer> buffer(name);
+    glNamedBufferStorage(name, GLsizeiptr(bytes), nullptr, flags);
+    GLint64 got = 0;
+    glGetNamedBufferParameteri64v(name, GL_BUFFER_SIZE, &got);
+    if (got != GLint64(bytes))
+        throw GraphicsError(fmt::format("the graphics device has no room for a buffer of {} bytes", bytes));
+    return buffer;
+}
+
+} // namespace
+
 void Buffer::reserve(std::size_t bytes)
 {
     if (name_.get() && bytes <= capacity_) return;
-    capacity_ = std::max<std::size_t>(bytes, 16);
-    GLuint name = 0;
-    glCreateBuffers(1, &name);
-    name_ = detail::Name<detail::deleteBuffer>(name);
-    glNamedBufferStorage(name, GLsizeiptr(capacity_), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    GLint64 got = 0;
-    glGetNamedBufferParameteri64v(name, GL_BUFFER_SIZE, &got);
-    if (got != GLint64(capacity_))
-        throw GraphicsError(fmt::format("the graphics device has no room for a buffer of {} bytes", capacity_));
+    name_ = makeBuffer(leastRoom(bytes), GL_DYNAMIC_STORAGE_BIT);
+    capacity_ = leastRoom(bytes);
+}
+
+void MappedBuffer::reserve(std::size_t bytes)
+{
+    if (name_.get() && bytes <= bytes_.size()) return;
+    const std::size_t capacity = leastRoom(bytes);
+    constexpr GLbitfield access = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+    bytes_ = {};
+    name_ = makeBuffer(capacity, access | GL_CLIENT_STORAGE_BIT);
+    const void* mapped = glMapNamedBufferRange(name_.get(), 0, GLsizeiptr(capacity), access);
+    if (!mapped) throw GraphicsError("the graphics driver shows the host no memory of a buffer");
+    bytes_ = {static_cast<const std::byte*>(mapped), capacity};
 }
 
 void Buffer::clear(std::size_t offset, std::size_t bytes)

@@ -110,6 +110,20 @@ private:
     std::size_t capacity_ = 0;
 };
 
+// Bytes that the device writes and the host reads in place, mapped for good. A fence must say when they are there.
+class MappedBuffer
+{
+public:
+    // As Buffer::reserve().
+    void reserve(std::size_t bytes);
+    std::span<const std::byte> bytes() const { return bytes_; } // all that there is room for
+    std::uint32_t name() const { return name_.get(); }
+
+private:
+    detail::Name<detail::deleteBuffer> name_; // deleting it unmaps it
+    std::span<const std::byte> bytes_;
+};
+
 // A 2D texture, or a 2D array where `layers` > 0, of immutable size.
 class Texture
 {

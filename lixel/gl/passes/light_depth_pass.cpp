@@ -16,8 +16,8 @@
 namespace lixel::gl {
 namespace {
 
-// Locations in caster.frag.glsl and alpha.glsl.
-constexpr int kFirstTriangle = 1, kSurfaceWrap = 8;
+// Location in alpha.glsl.
+constexpr int kSurfaceWrap = 8;
 
 std::vector<const PlannedRegion*> regionsOf(const FramePlan& plan)
 {
@@ -40,13 +40,11 @@ std::vector<Plane> casterVolume(const Mat4d& lightClipFromLocal)
     return planes;
 }
 
-LightDepthPass::LightDepthPass(const Device& device) : mostViewports_(device.limits().viewports)
+LightDepthPass::LightDepthPass(const Device& device) : mostViewports_(std::min(device.limits().viewports, 32))
 {
     opaque_ = Program::graphics({"caster.vert.glsl", "opaque.frag.glsl"});
     const std::array<std::string, 1> masked{"MASKED"};
     masked_ = Program::graphics({"caster.vert.glsl", "caster.frag.glsl"}, masked);
-    opaqueFirstView_ = glGetUniformLocation(opaque_.name(), "lixelFirstView");
-    maskedFirstView_ = glGetUniformLocation(masked_.name(), "lixelFirstView");
 }
 
 void LightDepthPass::bindBatch(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas,
@@ -79,43 +77,55 @@ void LightDepthPass::forEachBatch(const FramePlan& plan, const PlanTables& table
 }
 
 void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const Surfaces& casters,
-                         const ShadowAtlas& atlas)
+                         const ShadowAtlas& atlas, Culling culling)
 {
     LX_ASSERT(casters.originWorld() == plan.originWorld);
-    forEachBatch(plan, tables, atlas, [&](const Batch& batch) { drawSurfaces(casters, batch); });
+    drawn_ = culled_ = 0;
+    forEachBatch(plan, tables, atlas, [&](const Batch& batch) { drawSurfaces(plan, casters, batch, culling); });
 }
 
-void LightDepthPass::drawSurfaces(const Surfaces& casters, const Batch& batch) const
+void LightDepthPass::drawSurfaces(const FramePlan& plan, const Surfaces& casters, const Batch& batch, Culling culling)
 {
-    if (casters.triangleCount() == 0) return;
-    const auto instances = std::uint32_t(batch.count);
-    casters.bindVertices();
-    opaque_.set(opaqueFirstView_, batch.first);
-    opaque_.use();
-    casters.draw(0, casters.opaqueCount(), instances);
+    const std::vector<const PlannedRegion*> regions = regionsOf(plan);
+    volumes_.assign(std::size_t(batch.count), {});
+    for (std::size_t i = 0; i < volumes_.size() && culling == Culling::ByRegion; ++i)
+        volumes_[i] = casterVolume(regions[std::size_t(batch.first) + i]->lightClipFromLocal);
+    draws_.list(casters.runs(), volumes_, std::uint32_t(batch.first));
+    drawn_ += draws_.drawn();
+    culled_ += draws_.culled();
+    if (draws_.commands().empty()) return;
 
+    commands_.assign(std::span<const DrawCommand>(draws_.commands()));
+    instances_.assign(std::span<const CasterInstance>(draws_.instances()));
+    casters.bindVertices(instances_);
     casters.bindMaterials();
-    masked_.set(maskedFirstView_, batch.first);
-    masked_.use();
-    for (const DrawRange& range : casters.ranges()) {
-        if (!range.isMasked) continue;
-        const Surfaces::Wraps wraps = casters.bindTexture(range);
-        masked_.set(kSurfaceWrap, wraps.u, wraps.v);
-        masked_.set(kFirstTriangle, range.firstTriangle);
-        casters.draw(range.firstTriangle, range.triangleCount, instances);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_.name());
+    for (const CasterDraws::Group& group : draws_.groups()) {
+        const bool isMasked = group.maskedRange >= 0;
+        (isMasked ? masked_ : opaque_).use();
+        if (isMasked) {
+            const Surfaces::Wraps wraps = casters.bindTexture(casters.ranges()[std::size_t(group.maskedRange)]);
+            masked_.set(kSurfaceWrap, wraps.u, wraps.v);
+        }
+        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
+                                    reinterpret_cast<const void*>(sizeof(DrawCommand) * std::uintptr_t(group.first)),
+                                    GLsizei(group.count), sizeof(DrawCommand));
     }
 }
 
 void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const CasterCallback& casters,
-                         const ShadowAtlas& atlas)
+                         const ShadowAtlas& atlas, Culling culling)
 {
     LX_ASSERT(casters.originWorld == plan.originWorld);
     const std::vector<const PlannedRegion*> regions = regionsOf(plan);
+    drawn_ = culled_ = 0;
     std::vector<CasterView> views;
     forEachBatch(plan, tables, atlas, [&](const Batch& batch) {
         views.clear();
         for (int i = batch.first; i < batch.first + batch.count; ++i)
-            views.push_back({std::uint32_t(i), casterVolume(regions[std::size_t(i)]->lightClipFromLocal)});
+            views.push_back({std::uint32_t(i), culling == Culling::ByRegion
+                                                   ? casterVolume(regions[std::size_t(i)]->lightClipFromLocal)
+                                                   : std::vector<Plane>{}});
         casters.draw(views);
     });
 }

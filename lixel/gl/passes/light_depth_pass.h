@@ -7,17 +7,27 @@
 
 namespace lixel::gl {
 
-// Draws the casters through every region of a plan into its rectangle of the atlas, as many regions a call as the device
-// has viewports. Geometry between the light and a region's near side is drawn at the near side.
+// Draws the casters through every region of a plan into its rectangle of the atlas, as many regions at once as the device
+// has viewports. Geometry between the light and a region's near side is drawn at the near side. Casters from buffers that no
+// lixel of a region can see are left out of it.
 //   reads   PlanTables, Surfaces or a host's casters        writes   ShadowAtlas
 class LightDepthPass
 {
 public:
     static constexpr const char* kName = "light depth";
+    // By the plan's own matrices, or not at all: then everything is drawn into every region, which gives the same maps, and is
+    // what there is where the device alone knows the tables.
+    enum class Culling { ByRegion, Off };
     explicit LightDepthPass(const Device& device);
 
-    void run(const FramePlan& plan, const PlanTables& tables, const Surfaces& casters, const ShadowAtlas& atlas);
-    void run(const FramePlan& plan, const PlanTables& tables, const CasterCallback& casters, const ShadowAtlas& atlas);
+    void run(const FramePlan& plan, const PlanTables& tables, const Surfaces& casters, const ShadowAtlas& atlas,
+             Culling culling = Culling::ByRegion);
+    void run(const FramePlan& plan, const PlanTables& tables, const CasterCallback& casters, const ShadowAtlas& atlas,
+             Culling culling = Culling::ByRegion);
+
+    // Of the last run: triangles of buffers times the regions they were drawn into, or were left out of.
+    std::uint64_t trianglesDrawn() const { return drawn_; }
+    std::uint64_t trianglesCulled() const { return culled_; }
 
 private:
     // Regions [first, first + count) of the plan.
@@ -28,12 +38,14 @@ private:
     template <typename Draw>
     void forEachBatch(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas, const Draw& draw);
     void bindBatch(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas, const Batch& batch);
-    void drawSurfaces(const Surfaces& casters, const Batch& batch) const;
+    void drawSurfaces(const FramePlan& plan, const Surfaces& casters, const Batch& batch, Culling culling);
 
     Program opaque_, masked_;
-    int opaqueFirstView_ = -1, maskedFirstView_ = -1;
     int mostViewports_ = 1;
-    Buffer batch_;
+    Buffer batch_, commands_, instances_;
+    CasterDraws draws_;
+    std::vector<std::vector<Plane>> volumes_;
+    std::uint64_t drawn_ = 0, culled_ = 0;
 };
 
 // What lies outside of these half-spaces, in Local space, cannot darken a lixel of the region: its sides and its far plane,

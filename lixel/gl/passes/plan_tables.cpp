@@ -17,6 +17,17 @@ void PlanTables::upload(const FramePlan& plan)
     regions_.assign(std::span<const shared::ShadowRegion>(plan.regionTable));
     halfSpaces_.assign(std::span<const shared::vec4>(plan.halfSpaceTable));
     lights_.assign(std::span<const shared::ShadowLight>(plan.lightTable));
+    regionCount_ = plan.regionTable.size(), halfSpaceCount_ = plan.halfSpaceTable.size();
+}
+
+PlanTables::Content PlanTables::download() const
+{
+    Content content;
+    content.regions.resize(regionCount_);
+    content.halfSpaces.resize(halfSpaceCount_);
+    regions_.read(0, std::span<shared::ShadowRegion>(content.regions));
+    halfSpaces_.read(0, std::span<shared::vec4>(content.halfSpaces));
+    return content;
 }
 
 void PlanTables::bind() const

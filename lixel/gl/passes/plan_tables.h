@@ -6,6 +6,7 @@
 #include "lixel/gl/device/objects.h"
 #include "lixel/plan/shadow_plan.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace lixel::gl {
@@ -17,7 +18,16 @@ public:
     void upload(const FramePlan& plan);
     void bind() const; // kStorageRegions, kStorageHalfSpaces, kStorageLights
 
+    // The tables as they are there, where the device has made some of them; waits for it.
+    struct Content
+    {
+        std::vector<shared::ShadowRegion> regions;
+        std::vector<shared::vec4> halfSpaces;
+    };
+    Content download() const;
+
 private:
+    std::size_t regionCount_ = 0, halfSpaceCount_ = 0;
     Buffer regions_, halfSpaces_, lights_;
 };
 

@@ -4,6 +4,7 @@
 #include "lixel/base/caster_source.h"
 #include "lixel/gl/device/device.h"
 #include "lixel/gl/device/objects.h"
+#include "lixel/gl/passes/caster_draws.h"
 
 #include <cstdint>
 #include <vector>
@@ -31,8 +32,10 @@ public:
 
     // The vertex array with attributes kAttribute... and the indices; textures and wrap modes are for the drawing pass.
     void bindVertices() const;
-    // Draws triangles in drawing order, `instances` times; the program and the rest of the state are the caller's.
-    void draw(std::uint32_t firstTriangle, std::uint32_t count, std::uint32_t instances) const;
+    // The same, with an entry of `instances` (CasterInstance) for each instance drawn, kAttributeInstance.
+    void bindVertices(const Buffer& instances) const;
+    // Draws triangles in drawing order; the program and the rest of the state are the caller's.
+    void draw(std::uint32_t firstTriangle, std::uint32_t count) const;
     // Materials, and which of them each triangle in drawing order has.
     void bindMaterials() const;
     // Indices and positions, for shaders that look triangles up: triangles [first, first + count), in drawing order.
@@ -41,8 +44,8 @@ public:
     std::uint32_t trianglesPerBinding() const;
 
     const std::vector<DrawRange>& ranges() const { return ranges_; }
+    const std::vector<CasterRun>& runs() const { return runs_; } // all triangles, in drawing order
     std::uint32_t triangleCount() const { return triangleCount_; }
-    std::uint32_t opaqueCount() const { return opaqueCount_; } // the first ones in drawing order
     Vec3d originWorld() const { return originWorld_; }
     std::uint64_t version() const { return version_; }
 
@@ -55,6 +58,7 @@ public:
 
 private:
     void uploadTriangles(const CasterBuffers& casters, const LocalTriangles& triangles);
+    void addToRuns(std::uint32_t triangle, const Box& boxLocal);
     void uploadAttributes(const LocalTriangles& triangles);
     void uploadMaterials(std::span<const Material> materials);
     void uploadTextures(std::span<const lixel::Texture> textures);
@@ -62,8 +66,9 @@ private:
     const Device* device_;
     std::uint64_t version_ = 0;
     Vec3d originWorld_;
-    std::uint32_t triangleCount_ = 0, opaqueCount_ = 0;
+    std::uint32_t triangleCount_ = 0;
     std::vector<DrawRange> ranges_;
+    std::vector<CasterRun> runs_;
 
     VertexArray vertexArray_;
     Buffer positions_, uv_, colour_, normal_, missing_;

@@ -56,7 +56,7 @@ void ViewPass::run(const Surfaces& surfaces, const View& view, const ViewTargets
         program.set(kFirstTriangle, range.firstTriangle);
         if (range.isMasked) program.set(kSurfaceWrap, wraps.u, wraps.v);
         program.use();
-        surfaces.draw(range.firstTriangle, range.triangleCount, 1);
+        surfaces.draw(range.firstTriangle, range.triangleCount);
     }
 }
 

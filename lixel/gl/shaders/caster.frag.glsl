@@ -3,10 +3,9 @@
 #include "lixel/gl/shaders/alpha.glsl"
 #include "lixel/gl/shaders/materials.glsl"
 
-layout(location = 1) uniform uint firstTriangle; // of this draw
-
 layout(location = 0) in vec2 lixelUv;
 layout(location = 1) in float vertexAlpha;
+layout(location = 2) flat in uint firstTriangle; // of this draw
 
 void main()
 {

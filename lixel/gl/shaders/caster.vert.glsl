@@ -3,18 +3,21 @@
 #include "lixel/gl/shaders/lixel_caster.glsl"
 
 layout(location = kAttributePosition) in vec3 inPositionLocal;
+layout(location = kAttributeInstance) in uvec2 inInstance; // region, first triangle of the draw
 #ifdef MASKED
 layout(location = kAttributeUv) in vec2 inUv;
 layout(location = kAttributeColour) in vec4 inColour;
 layout(location = 1) out float vertexAlpha;
+layout(location = 2) flat out uint firstTriangle;
 #endif
 
 void main()
 {
 #ifdef MASKED
     vertexAlpha = inColour.a;
-    lixelCaster(inPositionLocal, inUv);
+    firstTriangle = inInstance.y;
+    lixelCasterInto(int(inInstance.x), inPositionLocal, inUv);
 #else
-    lixelCaster(inPositionLocal, vec2(0.0));
+    lixelCasterInto(int(inInstance.x), inPositionLocal, vec2(0.0));
 #endif
 }
