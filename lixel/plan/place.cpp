@@ -10,10 +10,6 @@ namespace {
 // Sides of a map closer than this share are equal but for rounding, which must not turn it.
 constexpr double kEqual = 1e-9;
 
-} // namespace
-
-namespace {
-
 // Moves a parallel map along one axis, by half a lixel at most, so that the world's origin lies on a border of lixels.
 void snapRow(Mat4d& clip, int row, int lixels, Vec3d originWorld)
 {
