@@ -13,15 +13,21 @@ if(LIXEL_SANITIZE)
   add_link_options(-fsanitize=${LIXEL_SANITIZE})
 endif()
 
-# lixel_library(name PUBLIC libs... PRIVATE libs...): the static library lixel_<name> from all .cpp below this folder.
+# lixel_library(name PUBLIC libs... PRIVATE libs... BUILD_ONLY libs... PRIVATE_HEADERS patterns...): the static library
+# lixel_<name> from all .cpp below this folder, as it is built and installed. BUILD_ONLY: headers that only its sources see.
 function(lixel_library name)
-  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE;BUILD_ONLY;PRIVATE_HEADERS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   add_library(lixel_${name} STATIC ${sources})
   add_library(lixel::${name} ALIAS lixel_${name})
-  target_include_directories(lixel_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)
-  target_link_libraries(lixel_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:lixel_flags>)
+  target_include_directories(lixel_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  target_link_libraries(lixel_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  foreach(library IN LISTS ARG_BUILD_ONLY ITEMS lixel_flags)
+    target_link_libraries(lixel_${name} PRIVATE $<BUILD_INTERFACE:${library}>)
+  endforeach()
+  target_compile_features(lixel_${name} PUBLIC cxx_std_20)
   set_target_properties(lixel_${name} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME ${name})
+  lixel_install(${name} NEEDS ${ARG_PUBLIC} ${ARG_PRIVATE} PRIVATE_HEADERS ${ARG_PRIVATE_HEADERS})
 endfunction()
 
 # lixel_test(name libs...): one test program from all .cpp of tests/<name>, each of its tests known to ctest.

@@ -6,25 +6,43 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace lixel {
+namespace {
 
-OrientedRectangle rectangleAlong(std::span<const Vec2d> points, Vec2d axis)
+// Areas and perimeters closer than this share are equal but for rounding.
+constexpr double kEqual = 1e-9;
+
+// Corners nearer to each other than this share of the hull are one corner, come to twice: what is between them has no direction.
+constexpr double kLeastSide = 1e-9;
+
+// By so much of the hull's size a corner may lie behind its neighbours by rounding alone.
+constexpr double kDent = 1e-13;
+
+// Of all names of a rectangle, and of all equal rectangles, the one whose axis is nearest to this direction, 17 degrees up:
+// then no two of those that regular shapes have (multiples of 15 and of 22.5 degrees) are equally near.
+constexpr Vec2d kPreferredAxis{0.95630475596303544, 0.29237170472273677};
+
+OrientedRectangle preferredName(OrientedRectangle r)
 {
-    LX_ASSERT(!points.empty());
-    const Vec2d side{-axis.y, axis.x};
-    Vec2d low{dot(axis, points[0]), dot(side, points[0])}, high = low;
-    for (const Vec2d& p : points) {
-        const Vec2d q{dot(axis, p), dot(side, p)};
-        low = {std::min(low.x, q.x), std::min(low.y, q.y)};
-        high = {std::max(high.x, q.x), std::max(high.y, q.y)};
+    OrientedRectangle preferred = r;
+    for (int quarter = 1; quarter < 4; ++quarter) {
+        r = {r.centre, {-r.axis.y, r.axis.x}, {r.halfSize.y, r.halfSize.x}};
+        if (dot(r.axis, kPreferredAxis) > dot(preferred.axis, kPreferredAxis)) preferred = r;
     }
-    const Vec2d middle = 0.5 * (low + high);
-    return {middle.x * axis + middle.y * side, axis, 0.5 * (high - low)};
+    return preferred;
 }
 
-namespace {
+bool isBetter(const OrientedRectangle& a, const OrientedRectangle& b)
+{
+    const double perimeterA = a.halfSize.x + a.halfSize.y, perimeterB = b.halfSize.x + b.halfSize.y;
+    const auto differ = [](double x, double y) { return std::abs(x - y) > kEqual * std::max(x, y); };
+    if (differ(a.area(), b.area())) return a.area() < b.area();
+    if (differ(perimeterA, perimeterB)) return perimeterA < perimeterB;
+    return dot(a.axis, kPreferredAxis) > dot(b.axis, kPreferredAxis);
+}
 
 // Moves points that are well inside an octagon of eight extreme ones behind the others (Akl & Toussaint 1978) and returns how many
 // others there are: sorting is what a hull costs.
@@ -59,6 +77,20 @@ std::size_t leaveOutInner(std::span<Vec2d> points)
 
 } // namespace
 
+OrientedRectangle rectangleAlong(std::span<const Vec2d> points, Vec2d axis)
+{
+    LX_ASSERT(!points.empty());
+    const Vec2d side{-axis.y, axis.x};
+    Vec2d low{dot(axis, points[0]), dot(side, points[0])}, high = low;
+    for (const Vec2d& p : points) {
+        const Vec2d q{dot(axis, p), dot(side, p)};
+        low = {std::min(low.x, q.x), std::min(low.y, q.y)};
+        high = {std::max(high.x, q.x), std::max(high.y, q.y)};
+    }
+    const Vec2d middle = 0.5 * (low + high);
+    return {middle.x * axis + middle.y * side, axis, 0.5 * (high - low)};
+}
+
 std::size_t convexHull(std::span<Vec2d> points, std::span<Vec2d> hull)
 {
     LX_ASSERT(hull.size() > points.size());
@@ -86,33 +118,35 @@ OrientedRectangle minimumAreaRectangle(std::span<const Vec2d> hull)
 {
     LX_ASSERT(!hull.empty());
     if (hull.size() == 1) return rectangleAlong(hull, {1, 0});
-    if (hull.size() == 2) return rectangleAlong(hull, (1 / length(hull[1] - hull[0])) * (hull[1] - hull[0]));
+    if (hull.size() == 2)
+        return preferredName(rectangleAlong(hull, (1 / length(hull[1] - hull[0])) * (hull[1] - hull[0])));
 
     // As the first side turns through the hull's sides, the corners that the other three touch only move on.
     const std::size_t n = hull.size();
+    const double size = 2 * length(rectangleAlong(hull, {1, 0}).halfSize);
     const auto next = [n](std::size_t i) { return i + 1 == n ? 0 : i + 1; };
     const auto advance = [&](std::size_t k, Vec2d towards) {
-        for (std::size_t steps = 0; steps < n && dot(towards, hull[next(k)] - hull[k]) >= 0; ++steps) k = next(k);
+        for (std::size_t steps = 0; steps < n && dot(towards, hull[next(k)] - hull[k]) >= -kDent * size; ++steps)
+            k = next(k);
         return k;
     };
-    const auto perimeter = [](const OrientedRectangle& r) { return r.halfSize.x + r.halfSize.y; };
     std::size_t right = 0, top = 0, left = 0;
-    OrientedRectangle best;
+    std::optional<OrientedRectangle> best;
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2d edge = hull[next(i)] - hull[i];
+        if (length(edge) <= kLeastSide * size) continue;
         const Vec2d axis = (1 / length(edge)) * edge, side{-axis.y, axis.x};
-        right = advance(i == 0 ? next(i) : right, axis);
-        top = advance(i == 0 ? right : top, side);
-        left = advance(i == 0 ? top : left, -1.0 * axis);
+        right = advance(best ? right : next(i), axis);
+        top = advance(best ? top : right, side);
+        left = advance(best ? left : top, -1.0 * axis);
         const double x0 = dot(axis, hull[left]), x1 = dot(axis, hull[right]);
         const double y0 = dot(side, hull[i]), y1 = dot(side, hull[top]);
-        const OrientedRectangle candidate{
-            0.5 * (x0 + x1) * axis + 0.5 * (y0 + y1) * side, axis, {0.5 * (x1 - x0), 0.5 * (y1 - y0)}};
-        if (i == 0 || candidate.area() < best.area() ||
-            (candidate.area() <= best.area() && perimeter(candidate) < perimeter(best)))
-            best = candidate;
+        const OrientedRectangle candidate =
+            preferredName({0.5 * (x0 + x1) * axis + 0.5 * (y0 + y1) * side, axis, {0.5 * (x1 - x0), 0.5 * (y1 - y0)}});
+        if (!best || isBetter(candidate, *best)) best = candidate;
     }
-    return best;
+    LX_ASSERT(best); // of n sides around the hull one is longer than its size over n
+    return *best;
 }
 
 } // namespace lixel

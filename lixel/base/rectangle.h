@@ -24,8 +24,9 @@ struct OrientedRectangle
 };
 
 // The smallest rectangle that holds a convex hull as convexHull() gives it: one of its sides lies on a side of the hull
-// (Freeman & Shapira 1975; found with rotating calipers, Toussaint 1983). Among equal areas the one with the smaller
-// perimeter. Needs a point.
+// (Freeman & Shapira 1975; found with rotating calipers, Toussaint 1983). Among areas that are
+// equal but for rounding the one with the smaller perimeter, then by the axis; and of the four names of a rectangle always
+// the same: points that differ by rounding give rectangles that do. Needs a point.
 OrientedRectangle minimumAreaRectangle(std::span<const Vec2d> hull);
 
 // The tightest rectangle with the given direction of its first side, a unit vector. Needs a point.

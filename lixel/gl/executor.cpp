@@ -214,6 +214,14 @@ std::vector<Image<float>> GlExecutor::drawMaps(const FramePlan& plan, const Cast
     return maps;
 }
 
+std::uint32_t GlExecutor::drawAtlas(const FramePlan& plan, const CasterSource& casters)
+{
+    state_->device.makeCurrent();
+    state_->drawMaps(plan, casters);
+    state_->device.throwOnMessages("the shadow maps");
+    return state_->atlas.depth.name();
+}
+
 Image<Rgba8> GlExecutor::shade(const CasterBuffers& casters, const View& view, std::span<const Light> lights,
                                const ViewSamples& samples, std::span<const Visibility> visibility)
 {

@@ -72,6 +72,11 @@ public:
     // The maps of a plan, one image a layer: 1 near, 0 far and empty.
     std::vector<Image<float>> drawMaps(const FramePlan& plan, const CasterSource& casters);
 
+    // The same maps left on the device, for a host that looks them up with its own shaders (lixel_lookup.glsl): the OpenGL name of
+    // a 2D array texture of 32-bit float depth, 1 near, 0 far and empty, row 0 at the bottom. It stays the executor's, and is
+    // good until the next call.
+    std::uint32_t drawAtlas(const FramePlan& plan, const CasterSource& casters);
+
     // The picture with visibility from anywhere, one Visibility a light: a pixel takes the weighted mean of its samples, and is
     // lit where it has none; so is everything where a light's values are empty. Row 0 is the bottom.
     Image<Rgba8> shade(const CasterBuffers& casters, const View& view, std::span<const Light> lights,

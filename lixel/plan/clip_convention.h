@@ -20,6 +20,11 @@ struct ClipConvention
     friend bool operator==(const ClipConvention&, const ClipConvention&) = default;
 };
 
+// Where row 0 of the host's textures lies. Said of the picture that a map is, in lixel's y up: `Bottom` where NDC y = -1 of
+// lixel's convention is drawn into row 0. OpenGL draws so, and so does Vulkan with matrices that are not turned (yDown false,
+// the light image then lies as in OpenGL); Direct3D, Metal and WebGPU draw NDC y = +1 into row 0, hence `Top`.
+enum class TextureOrigin { Bottom, Top };
+
 // What lixel's own executors draw and store: y up, depth reversed in 0..1, so that floats keep relative precision far away.
 inline constexpr ClipConvention kExecutorConvention{ClipDepth::OneToZero, false};
 

@@ -5,8 +5,10 @@
 #include <cmath>
 
 namespace lixel {
-
 namespace {
+
+// Sides of a map closer than this share are equal but for rounding, which must not turn it.
+constexpr double kEqual = 1e-9;
 
 // Moves a parallel map along one axis, by half a lixel at most, so that the world's origin lies on a border of lixels.
 void snapRow(Mat4d& clip, int row, int lixels, Vec3d originWorld)
@@ -24,8 +26,8 @@ Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout&
     Mat4d clip = fit.lightClipFromLocal;
     // Row x is 1 / half size along x (points: of the light plane), so the larger side has the smaller row.
     const double sizeX = 1 / length(xyz(clip.row(0))), sizeY = 1 / length(xyz(clip.row(1)));
-    if ((rectangle.width() > rectangle.height() && sizeX < sizeY) ||
-        (rectangle.width() < rectangle.height() && sizeX > sizeY)) {
+    if ((rectangle.width() > rectangle.height() && sizeX < sizeY * (1 - kEqual)) ||
+        (rectangle.width() < rectangle.height() && sizeX * (1 - kEqual) > sizeY)) {
         const Vec4d x = clip.row(0);
         clip.setRow(0, clip.row(1));
         clip.setRow(1, -1.0 * x); // a turn, not a mirror

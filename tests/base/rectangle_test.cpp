@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <vector>
 
@@ -62,13 +63,32 @@ TEST(MinimumAreaRectangle, HoldsEveryPointHasASideOnTheHullAndIsNoLargerThanAnyT
         double closest = 1;
         for (std::size_t i = 0; i < hull.size(); ++i) {
             const Vec2d edge = hull[(i + 1) % hull.size()] - hull[i];
-            closest = std::min(closest, std::abs(cross(r.axis, edge)) / length(edge));
+            closest = std::min(
+                {closest, std::abs(cross(r.axis, edge)) / length(edge), std::abs(dot(r.axis, edge)) / length(edge)});
         }
         EXPECT_LT(closest, 1e-12);
         for (int i = 0; i < 90; ++i) {
             const double angle = i * std::numbers::pi / 180;
             EXPECT_LE(r.area(), rectangleAlong(points, {std::cos(angle), std::sin(angle)}).area() + 1e-12);
         }
+    });
+}
+
+// Points that come another way, rounded otherwise, give the same map: no turned or mirrored one among equals.
+TEST(MinimumAreaRectangle, OfPointsMovedByRoundingIsTheSameButForRounding)
+{
+    forEachCase(test::kCases, [](Rng& rng) {
+        const double angle = rng.uniform(0, 6.3), wide = rng.uniform(0.2, 2), high = rng.uniform(0.2, 2);
+        const Vec2d axis{std::cos(angle), std::sin(angle)}, side{-axis.y, axis.x};
+        std::vector<Vec2d> corners, moved;
+        for (const double x : {-wide, wide})
+            for (const double y : {-high, high}) {
+                corners.push_back(x * axis + y * side);
+                moved.push_back(corners.back() + 1e-14 * Vec2d{rng.uniform(-1, 1), rng.uniform(-1, 1)});
+            }
+        const OrientedRectangle r = minimumAreaRectangle(hullOf(corners)), s = minimumAreaRectangle(hullOf(moved));
+        EXPECT_GT(dot(r.axis, s.axis), 1 - 1e-9);
+        EXPECT_NEAR(r.halfSize.x, s.halfSize.x, 1e-12);
     });
 }
 

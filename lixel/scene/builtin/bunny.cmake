@@ -5,7 +5,7 @@ if(NOT EXISTS ${LIXEL_BUNNY})
 endif()
 find_package(meshoptimizer REQUIRED)
 
-add_executable(convert_bunny ${CMAKE_SOURCE_DIR}/tools/convert_bunny.cpp)
+add_executable(convert_bunny ${PROJECT_SOURCE_DIR}/tools/convert_bunny.cpp)
 target_link_libraries(convert_bunny PRIVATE meshoptimizer::meshoptimizer lixel_flags)
 set(bunny_mesh ${CMAKE_CURRENT_BINARY_DIR}/generated/bunny_mesh.inc)
 file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/generated)

@@ -1,0 +1,21 @@
+# PROGRAM runs, all its points agree, it refuses by sentence, and it loads nothing of graphics or ray tracing.
+cmake_minimum_required(VERSION 3.25)
+function(expect text pattern)
+  if(NOT text MATCHES "${pattern}")
+    message(FATAL_ERROR "\"${pattern}\" is not in:\n${text}")
+  endif()
+endfunction()
+
+execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+expect("${printed}" "clipFromLocal")
+expect("${printed}" "lamp 0: no map, ")
+expect("${printed}" "all points agree")
+execute_process(COMMAND ${PROGRAM} focused OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+expect("${printed}" "bulb: no map, ")
+
+execute_process(COMMAND ldd ${PROGRAM} OUTPUT_VARIABLE loaded COMMAND_ERROR_IS_FATAL ANY)
+foreach(library IN ITEMS libGL libEGL libepoxy embree libfmt libpng OpenEXR tbb)
+  if(loaded MATCHES "${library}")
+    message(FATAL_ERROR "who links lixel::plan also loads ${library}:\n${loaded}")
+  endif()
+endforeach()
