@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Frames like those before allocate nothing in plan. This program counts what operator new is asked for.
+#include "lixel/plan/shadow_plan.h"
+#include "plan/ordinary_setups.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t size)
+{
+    ++allocations;
+    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+
+} // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace lixel {
+namespace {
+
+class NoAllocation : public testing::TestWithParam<const char*>
+{
+};
+
+// A few receivers on the floor before the camera.
+ViewSamples floorSamples(const test::RandomSetup& setup, test::Rng& rng)
+{
+    ViewSamples samples;
+    samples.width = setup.view.width;
+    samples.height = setup.view.height;
+    samples.originWorld = setup.originWorld;
+    for (int i = 0; i < 100; ++i) {
+        const Vec3d p = setup.view.anchorWorld + setup.radius * rng.inBox(1) - setup.originWorld;
+        samples.pixel.push_back({});
+        samples.positionLocal.push_back({float(p.x), 0, float(p.z)});
+        samples.normal.push_back({0, 1, 0});
+        samples.triangle.push_back(kNoTriangle);
+    }
+    return samples;
+}
+
+TEST_P(NoAllocation, FramesThatWerePlannedBeforeAllocateNothing)
+{
+    test::Rng rng(20040621);
+    std::vector<test::RandomSetup> setups;
+    std::vector<ViewSamples> seen;
+    for (int i = 0; i < 60; ++i) {
+        setups.push_back(test::ordinarySetup(rng));
+        seen.push_back(floorSamples(setups.back(), rng));
+    }
+    FitScratch scratch;
+    FramePlan plan;
+    PlanInput input;
+    input.technique = std::get<MapTechnique>(*parseTechnique(GetParam()));
+    input.lixels = {512, 512};
+    const auto planAll = [&] {
+        for (std::size_t i = 0; i < setups.size(); ++i) {
+            input.view = setups[i].view;
+            input.lights = {&setups[i].light, 1};
+            input.casterBoxesWorld = setups[i].boxesWorld;
+            input.originWorld = setups[i].originWorld;
+            input.seen = &seen[i];
+            plan = planShadows(input, scratch, std::move(plan));
+        }
+    };
+    planAll();
+    const long before = allocations;
+    planAll();
+    EXPECT_EQ(allocations - before, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, NoAllocation,
+                         testing::Values("uniform", "focused", "focused(stable)", "desired-view",
+                                         "desired-view(rotated)", "minimal-frustum", "psm", "tsm", "lispsm",
+                                         "lispsm(stable)", "pssm(4)+lispsm", "sdsm(4)", "cube", "psm+else(cube)"));
+
+} // namespace
+} // namespace lixel
