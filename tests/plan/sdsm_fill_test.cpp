@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace lixel::test {
 namespace {
@@ -68,6 +69,26 @@ void expectSameImage(const shared::mat4& a, const shared::mat4& b, Vec3f p, doub
     EXPECT_EQ(inA.w, inB.w);
 }
 
+// Samples at the very end of what a cascade's map must hold, which rounding takes in or leaves out.
+bool isAnyAtBorder(const SdsmFill& fill, const FramePlan& plan, const ViewSamples& samples)
+{
+    std::vector<double> depths, splits;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const Vec3f p = samples.positionLocal[i], n = samples.normal[i];
+        if (shared::lxFaces(fill.setup.light, {p.x, p.y, p.z}, {n.x, n.y, n.z}))
+            depths.push_back(shared::lxSdsmAt(fill.setup.viewDepth, {p.x, p.y, p.z}));
+    }
+    const double offset = std::abs(double(fill.setup.viewDepth.w));
+    for (const shared::vec4& halfSpace : plan.halfSpaceTable) splits.push_back(halfSpace.w + fill.setup.viewDepth.w);
+    splits.push_back(*std::ranges::max_element(depths));
+    const auto slack = [&](double end) { return std::max(1e-5 * std::abs(end), 4e-7 * offset); };
+    for (std::size_t i = 0; i + 1 < splits.size(); ++i)
+        for (const double border : {splits[i] + slack(splits[i]), splits[i] - slack(splits[i + 1])})
+            for (const double depth : depths)
+                if (std::abs(depth - border) < 1e-6 * (std::abs(border) + offset)) return true;
+    return false;
+}
+
 TEST(SdsmFill, TablesMadeFromSamplesAreThoseOfThePlan)
 {
     int compared = 0;
@@ -80,6 +101,7 @@ TEST(SdsmFill, TablesMadeFromSamplesAreThoseOfThePlan)
         const FramePlan& filled = layout->plan;
         // The plan leaves cascades without samples out and gives their lixels to others.
         if (plan.regionTable.size() != filled.regionTable.size()) return;
+        if (isAnyAtBorder(layout->fills[0], plan, s.samples)) return;
         ++compared;
         double farthest = 0;
         for (const Vec3f& p : s.samples.positionLocal) farthest = std::max(farthest, length(toDouble(p)));
