@@ -28,12 +28,17 @@ struct SdsmCasters
 // What lies in one cascade, of samples that face the light.
 struct SdsmBounds
 {
-    vec4 onPlane;   // least x, y, greatest x, y
-    float farthest; // along the light
+    vec4 onPlane;         // least x, y, greatest x, y
+    float farthest;       // along the light
+    float termsX, termsY; // the greatest sum of what x and y are added up from, which is what floats round by
 };
 
-// Against depths: samples so near a split count in both cascades, since who is served where is decided in other floats.
+// Against a split's depth and the offset of depths: samples so near the split count in both cascades, since who is served where
+// is decided in other floats.
 const float LX_SDSM_OVERLAP = 1.0e-5f;
+const float LX_SDSM_OFFSET_ROUNDING = 4.0e-7f;
+// Half a side of a map is not less than this part of its terms: two thousand times what floats round by.
+const float LX_SDSM_LEAST_HALF = 1.1920929e-4f;
 // Room at a map's near and far side for the rounding of depths to float. (At its borders the guard band of the lookup's reach has
 // room for far more.)
 const float LX_SDSM_ROOM = 2.0e-7f;
@@ -58,7 +63,7 @@ LX_FN float lxSdsmSplit(SdsmSetup setup, float nearest, float farthest, int i)
 // the last.
 LX_FN bool lxSdsmHolds(SdsmSetup setup, int i, float begin, float end, float depth)
 {
-    float slack = LX_SDSM_OVERLAP * (abs(end) + abs(setup.viewDepth.w));
+    float slack = max(LX_SDSM_OVERLAP * abs(end), LX_SDSM_OFFSET_ROUNDING * abs(setup.viewDepth.w));
     return (i == 0 || depth >= begin - slack) && (float(i + 1) == setup.regions.y || depth <= end + slack);
 }
 
@@ -76,11 +81,16 @@ LX_FN bool lxSdsmMeets(SdsmCasters box, SdsmBounds bounds)
            box.onPlane.y <= bounds.onPlane.w && box.onPlane.w >= bounds.onPlane.y;
 }
 
-// Half a side of the map; one of a single point is still a map.
-LX_FN float lxSdsmHalf(float least, float greatest)
+// What a row's value at a point is added up from, but for its constant.
+LX_FN float lxSdsmTerms(vec4 row, vec3 p) { return abs(row.x * p.x) + abs(row.y * p.y) + abs(row.z * p.z); }
+
+// Half a side of the map. (Samples at the border of the narrowest maps count a little more than in rectangleAround(), which knows
+// the middle when it adds up terms.)
+LX_FN float lxSdsmHalf(float least, float greatest, float terms)
 {
-    float floorOfHalf = max(LX_SDSM_ROOM * (abs(least) + abs(greatest)), 1.0e-9f);
-    return max(0.5f * (greatest - least) * 1.000001f, floorOfHalf);
+    float tight = 0.5f * (greatest - least);
+    float floorOfHalf = LX_SDSM_LEAST_HALF * (terms + 0.5f * abs(greatest + least) + tight);
+    return max(max(tight, floorOfHalf) * 1.000001f, 1.0e-9f);
 }
 
 // A cascade without samples: no point is inside.
@@ -97,8 +107,8 @@ LX_FN mat4 lxSdsmNowhere()
 // lightClipFromLocal of the map that holds the bounds, in the executors' convention, for its rectangle of the atlas.
 LX_FN mat4 lxSdsmMatrix(SdsmSetup setup, SdsmBounds bounds, float nearestCaster, vec4 rectangle)
 {
-    float halfX = lxSdsmHalf(bounds.onPlane.x, bounds.onPlane.z);
-    float halfY = lxSdsmHalf(bounds.onPlane.y, bounds.onPlane.w);
+    float halfX = lxSdsmHalf(bounds.onPlane.x, bounds.onPlane.z, bounds.termsX);
+    float halfY = lxSdsmHalf(bounds.onPlane.y, bounds.onPlane.w, bounds.termsY);
     vec4 centreX = vec4(0.0f, 0.0f, 0.0f, 0.5f * (bounds.onPlane.x + bounds.onPlane.z));
     vec4 centreY = vec4(0.0f, 0.0f, 0.0f, 0.5f * (bounds.onPlane.y + bounds.onPlane.w));
     vec4 x = (1.0f / halfX) * (setup.lightX - centreX);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace lixel::test {
 namespace {
@@ -53,14 +54,39 @@ Setting anySetting(Rng& rng)
     return s;
 }
 
-// Where both tables send a point: NDC and depth agree, as far as floats of its coordinates do.
-void expectSameImage(const shared::mat4& a, const shared::mat4& b, Vec3f p)
+// Where both tables send a point: NDC and depth agree, as far as floats of its coordinates do. Maps hardly wider than those can
+// tell points apart have a size that rounding makes, and agree as far as that is known.
+void expectSameImage(const shared::mat4& a, const shared::mat4& b, Vec3f p, double farthestSample)
 {
     const shared::vec4 point(p.x, p.y, p.z, 1), inA = a * point, inB = b * point;
-    EXPECT_NEAR(inA.x, inB.x, 1e-5 * (1 + std::abs(inB.x)));
-    EXPECT_NEAR(inA.y, inB.y, 1e-5 * (1 + std::abs(inB.y)));
+    const auto tolerance = [&](double value, Vec3d row) {
+        const bool isNarrow = 1 / length(row) < 1e-3 * farthestSample;
+        return (isNarrow ? 3e-4 : 1e-5) * (1 + std::abs(value));
+    };
+    EXPECT_NEAR(inA.x, inB.x, tolerance(inB.x, {b[0].x, b[1].x, b[2].x}));
+    EXPECT_NEAR(inA.y, inB.y, tolerance(inB.y, {b[0].y, b[1].y, b[2].y}));
     EXPECT_NEAR(inA.z, inB.z, 1e-5 * (1 + std::abs(inB.z)));
     EXPECT_EQ(inA.w, inB.w);
+}
+
+// Samples at the very end of what a cascade's map must hold, which rounding takes in or leaves out.
+bool isAnyAtBorder(const SdsmFill& fill, const FramePlan& plan, const ViewSamples& samples)
+{
+    std::vector<double> depths, splits;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const Vec3f p = samples.positionLocal[i], n = samples.normal[i];
+        if (shared::lxFaces(fill.setup.light, {p.x, p.y, p.z}, {n.x, n.y, n.z}))
+            depths.push_back(shared::lxSdsmAt(fill.setup.viewDepth, {p.x, p.y, p.z}));
+    }
+    const double offset = std::abs(double(fill.setup.viewDepth.w));
+    for (const shared::vec4& halfSpace : plan.halfSpaceTable) splits.push_back(halfSpace.w + fill.setup.viewDepth.w);
+    splits.push_back(*std::ranges::max_element(depths));
+    const auto slack = [&](double end) { return std::max(1e-5 * std::abs(end), 4e-7 * offset); };
+    for (std::size_t i = 0; i + 1 < splits.size(); ++i)
+        for (const double border : {splits[i] + slack(splits[i]), splits[i] - slack(splits[i + 1])})
+            for (const double depth : depths)
+                if (std::abs(depth - border) < 1e-6 * (std::abs(border) + offset)) return true;
+    return false;
 }
 
 TEST(SdsmFill, TablesMadeFromSamplesAreThoseOfThePlan)
@@ -75,7 +101,10 @@ TEST(SdsmFill, TablesMadeFromSamplesAreThoseOfThePlan)
         const FramePlan& filled = layout->plan;
         // The plan leaves cascades without samples out and gives their lixels to others.
         if (plan.regionTable.size() != filled.regionTable.size()) return;
+        if (isAnyAtBorder(layout->fills[0], plan, s.samples)) return;
         ++compared;
+        double farthest = 0;
+        for (const Vec3f& p : s.samples.positionLocal) farthest = std::max(farthest, length(toDouble(p)));
         EXPECT_EQ(filled.atlas, plan.atlas);
         ASSERT_EQ(filled.halfSpaceTable.size(), plan.halfSpaceTable.size());
         for (std::size_t i = 0; i < plan.halfSpaceTable.size(); ++i) {
@@ -89,7 +118,7 @@ TEST(SdsmFill, TablesMadeFromSamplesAreThoseOfThePlan)
             EXPECT_EQ(filled.regionTable[i].place.z, plan.regionTable[i].place.z);
             for (std::size_t k = 0; k < s.samples.size(); k += 100)
                 expectSameImage(filled.regionTable[i].lightClipFromLocal, plan.regionTable[i].lightClipFromLocal,
-                                s.samples.positionLocal[k]);
+                                s.samples.positionLocal[k], farthest);
         }
     });
     EXPECT_GT(compared, kCases / 20);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kPointCount = 0; // location in sdsm_samples.comp.glsl
 constexpr std::size_t kPointsOfGroup = 64 * 64;
-constexpr std::size_t kWords = 2 + 5 * kMostCells; // of sdsm.glsl
+constexpr std::size_t kWords = 2 + 7 * kMostCells; // of sdsm.glsl
 
 } // namespace
 

@@ -6,12 +6,12 @@
 layout(std140, binding = kUniformSdsm) uniform Setup { SdsmSetup setup; };
 layout(std430, binding = kStorageSdsm) buffer Greatest { uint greatest[]; };
 
-// Of the whole: nearest depth, turned round, and farthest; of each cascade: least x and y, turned round, greatest x and y, and
-// the farthest depth along the light.
+// Of the whole: nearest depth, turned round, and farthest; of each cascade: least x and y, turned round, greatest x and y, the
+// farthest depth along the light, and the greatest terms of x and y.
 const int kNearest = 0;
 const int kFarthest = 1;
 const int kCascades = 2;
-const int kOfCascade = 5;
+const int kOfCascade = 7;
 
 // Keeps the order of floats; 0 is below all of them.
 uint ordered(float value)

@@ -16,6 +16,8 @@ mat4 matrixOf(int cascade, vec4 rectangle)
     bounds.onPlane = vec4(-fromOrdered(greatest[first]), -fromOrdered(greatest[first + 1]),
                           fromOrdered(greatest[first + 2]), fromOrdered(greatest[first + 3]));
     bounds.farthest = fromOrdered(greatest[first + 4]);
+    bounds.termsX = fromOrdered(greatest[first + 5]);
+    bounds.termsY = fromOrdered(greatest[first + 6]);
     float nearest = bounds.farthest;
     int count = int(setup.options.y);
     for (int i = 0; i < count; ++i)

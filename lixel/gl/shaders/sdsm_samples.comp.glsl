@@ -14,8 +14,8 @@ const uint kSamplesEach = 64u;
 #ifdef BOUNDS
 float splits[17];
 int cascade = -1; // the one that the values below are of
-vec4 least; // x, y, -x, -y
-float farthest;
+vec4 least;          // x, y, -x, -y
+vec3 greatestOthers; // depth along the light, terms of x and y
 
 void tell()
 {
@@ -25,7 +25,9 @@ void tell()
     raise(first + 1, -least.y);
     raise(first + 2, -least.z);
     raise(first + 3, -least.w);
-    raise(first + 4, farthest);
+    raise(first + 4, greatestOthers.x);
+    raise(first + 5, greatestOthers.y);
+    raise(first + 6, greatestOthers.z);
 }
 
 void begin()
@@ -37,18 +39,20 @@ void begin()
 void look(vec3 p, float depth)
 {
     int count = int(setup.regions.y);
-    float x = lxSdsmAt(setup.lightX, p), y = lxSdsmAt(setup.lightY, p), along = lxSdsmAt(setup.lightDepth, p);
+    float x = lxSdsmAt(setup.lightX, p), y = lxSdsmAt(setup.lightY, p);
+    vec4 onPlane = vec4(x, y, -x, -y);
+    vec3 others = vec3(lxSdsmAt(setup.lightDepth, p), lxSdsmTerms(setup.lightX, p), lxSdsmTerms(setup.lightY, p));
     for (int i = 0; i < count; ++i) {
         if (!lxSdsmHolds(setup, i, splits[i], splits[i + 1], depth)) continue;
         if (i == cascade) {
-            least = min(least, vec4(x, y, -x, -y));
-            farthest = max(farthest, along);
+            least = min(least, onPlane);
+            greatestOthers = max(greatestOthers, others);
             continue;
         }
         tell();
         cascade = i;
-        least = vec4(x, y, -x, -y);
-        farthest = along;
+        least = onPlane;
+        greatestOthers = others;
     }
 }
 #else

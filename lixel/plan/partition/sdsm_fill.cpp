@@ -119,7 +119,7 @@ Facing facingSamples(const shared::SdsmSetup& setup, const ViewSamples& samples)
 
 std::optional<SdsmBounds> boundsOf(const shared::SdsmSetup& setup, const Facing& facing, int cascade)
 {
-    SdsmBounds bounds{{kInfinity, kInfinity, -kInfinity, -kInfinity}, -kInfinity};
+    SdsmBounds bounds{{kInfinity, kInfinity, -kInfinity, -kInfinity}, -kInfinity, 0, 0};
     const float begin = shared::lxSdsmSplit(setup, facing.nearest, facing.farthest, cascade);
     const float end = shared::lxSdsmSplit(setup, facing.nearest, facing.farthest, cascade + 1);
     for (std::size_t i = 0; i < facing.depth.size(); ++i) {
@@ -129,6 +129,8 @@ std::optional<SdsmBounds> boundsOf(const shared::SdsmSetup& setup, const Facing&
         bounds.onPlane = {std::min(bounds.onPlane.x, x), std::min(bounds.onPlane.y, y), std::max(bounds.onPlane.z, x),
                           std::max(bounds.onPlane.w, y)};
         bounds.farthest = std::max(bounds.farthest, shared::lxSdsmAt(setup.lightDepth, p));
+        bounds.termsX = std::max(bounds.termsX, shared::lxSdsmTerms(setup.lightX, p));
+        bounds.termsY = std::max(bounds.termsY, shared::lxSdsmTerms(setup.lightY, p));
     }
     if (!(bounds.onPlane.x <= bounds.onPlane.z)) return std::nullopt;
     return bounds;
