@@ -21,7 +21,7 @@ struct Start
     RandomSetup setup;
     FitScratch scratch;
     std::optional<LightFrame> frame;
-    DepthRange depths;
+    DepthSpan depths;
     std::optional<LineOfSight> line;
 
     FitInput input()

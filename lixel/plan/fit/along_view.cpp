@@ -7,9 +7,9 @@
 
 namespace lixel {
 
-DepthRange seenDepths(const FitInput& input, const ViewDepth& depth, std::span<const Vec3d> visiblePoints)
+DepthSpan seenDepths(const FitInput& input, const ViewDepth& depth, std::span<const Vec3d> visiblePoints)
 {
-    DepthRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    DepthSpan range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const Vec3d& p : input.seenLocal.empty() ? visiblePoints : input.seenLocal) {
         range.nearest = std::min(range.nearest, depth.of(p));
         range.farthest = std::max(range.farthest, depth.of(p));
@@ -17,7 +17,7 @@ DepthRange seenDepths(const FitInput& input, const ViewDepth& depth, std::span<c
     return range;
 }
 
-std::optional<LineOfSight> lineOfSight(const FitInput& input, const LightFrame& frame, const DepthRange& depths,
+std::optional<LineOfSight> lineOfSight(const FitInput& input, const LightFrame& frame, const DepthSpan& depths,
                                        std::span<const Vec3d> visiblePoints)
 {
     const ViewDepth depth = viewDepth(input.view, input.originWorld);

@@ -12,7 +12,7 @@
 namespace lixel {
 
 // The depths between which something is seen: of the view samples where there are any, else of the visible body.
-DepthRange seenDepths(const FitInput& input, const ViewDepth& depth, std::span<const Vec3d> visiblePoints);
+DepthSpan seenDepths(const FitInput& input, const ViewDepth& depth, std::span<const Vec3d> visiblePoints);
 
 // The line of sight through the picture's middle as it lies on the light plane, and what is seen along it.
 struct LineOfSight
@@ -28,7 +28,7 @@ struct LineOfSight
 };
 
 // Nothing for parallel views, and where the line runs along the light or out of its half-space between the two depths.
-std::optional<LineOfSight> lineOfSight(const FitInput& input, const LightFrame& frame, const DepthRange& depths,
+std::optional<LineOfSight> lineOfSight(const FitInput& input, const LightFrame& frame, const DepthSpan& depths,
                                        std::span<const Vec3d> visiblePoints);
 
 // Where a point lies along the line, from the start of the body.

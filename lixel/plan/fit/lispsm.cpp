@@ -17,7 +17,7 @@ FitResult fitSeen(const FitInput& input)
     const std::vector<Vec3d>& points = input.scratch.points;
     const auto frame = frameAround(input, points);
     if (!frame) return Unexpected{frame.error()};
-    const DepthRange depths = seenDepths(input, viewDepth(input.view, input.originWorld), points);
+    const DepthSpan depths = seenDepths(input, viewDepth(input.view, input.originWorld), points);
     if (const auto line = lineOfSight(input, *frame, depths, points)) {
         const double distance = lispsmDistance(*frame, *line, depths);
         if (distance < kFarthestCentre * line->length) return fitAlong(input, *frame, *line, distance, points);
@@ -27,7 +27,7 @@ FitResult fitSeen(const FitInput& input)
 
 } // namespace
 
-double lispsmDistance(const LightFrame& frame, const LineOfSight& line, const DepthRange& depths)
+double lispsmDistance(const LightFrame& frame, const LineOfSight& line, const DepthSpan& depths)
 {
     const Vec4d w = frame.framedFromLocal.row(3);
     const auto weight = [&](double depth) { return dot(w, point(line.at(depth))) / std::sqrt(depth); };

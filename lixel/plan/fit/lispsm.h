@@ -22,6 +22,6 @@ namespace lixel {
 FitResult fitLispsm(const FitInput& input);
 
 // n for a line of sight; infinite where no perspective helps.
-double lispsmDistance(const LightFrame& frame, const LineOfSight& line, const DepthRange& depths);
+double lispsmDistance(const LightFrame& frame, const LineOfSight& line, const DepthSpan& depths);
 
 } // namespace lixel

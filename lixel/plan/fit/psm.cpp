@@ -36,7 +36,7 @@ double nearestCasterDepth(const FitInput& input, const LightFrame& frame, const 
 
 // The view's perspective, its camera moved back by `shift`, with the tightest cube around what is seen: Local to homogeneous
 // coordinates that are in [-1, +1] there.
-Mat4d virtualClipFromLocal(const FitInput& input, const ViewDepth& depth, double shift, const DepthRange& depths,
+Mat4d virtualClipFromLocal(const FitInput& input, const ViewDepth& depth, double shift, const DepthSpan& depths,
                            std::span<const Vec3d> visiblePoints)
 {
     const Mat4d clip = clipFromLocal(input.view, input.originWorld);
@@ -102,7 +102,7 @@ FitResult fitPsm(const FitInput& input, PsmShift shift)
     const auto frame = frameAround(input, points);
     if (!frame) return Unexpected{frame.error()};
     const ViewDepth depth = viewDepth(input.view, input.originWorld);
-    const DepthRange depths = seenDepths(input, depth, points);
+    const DepthSpan depths = seenDepths(input, depth, points);
     if (!depth.isPerspective || !(depths.nearest > 0) || !(depths.farthest > depths.nearest))
         return fitTightly(*frame, points, RectangleKind::LeastArea, input);
 

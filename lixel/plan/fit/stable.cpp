@@ -46,9 +46,9 @@ double distanceTo(const Box& box, Vec3d p)
 }
 
 // The slice of depths that a region has of the view: cut by those of its planes that lie across the line of sight.
-DepthRange sliceOf(const FitInput& input, const ViewDepth& depth)
+DepthSpan sliceOf(const FitInput& input, const ViewDepth& depth)
 {
-    DepthRange slice = stableDepths(input);
+    DepthSpan slice = stableDepths(input);
     for (const Plane& plane : input.cellLocal) {
         const double cosine = dot(plane.normal, depth.forward);
         if (cosine > 1 - 1e-9) slice.nearest = std::max(slice.nearest, depth.offset - plane.offset);
@@ -121,7 +121,7 @@ FitResult fitStable(const FitInput& input)
     return fit;
 }
 
-DepthRange stableDepths(const FitInput& input)
+DepthSpan stableDepths(const FitInput& input)
 {
     const ViewDepth depth = viewDepth(input.view, input.originWorld);
     const auto localFromClip = inverse(clipFromLocal(input.view, input.originWorld));
@@ -130,7 +130,7 @@ DepthRange stableDepths(const FitInput& input)
     const Vec3d nearLocal = xyz(near) / near.w;
     // A camera over flat ground is just outside the scene's box; that is no distance yet.
     const double diagonal = input.sceneLocal.diagonal(), away = distanceTo(input.sceneLocal, nearLocal) - diagonal / 8;
-    DepthRange range{depth.of(nearLocal), depth.of(nearLocal) + 1.125 * diagonal};
+    DepthSpan range{depth.of(nearLocal), depth.of(nearLocal) + 1.125 * diagonal};
     if (away > 0) range.farthest += std::exp2(0.5 * std::ceil(2 * std::log2(away)));
     if (far.w > 0) range.farthest = std::min(range.farthest, depth.of(xyz(far) / far.w));
     return range;

@@ -24,7 +24,7 @@ FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&));
 // How deep a camera in the scene may ever see, whichever way it looks: between the view's near side and its far side, or the scene's
 // diagonal and an eighth beyond the near side. Farther for a camera outside the scene by more than that eighth, in steps of
 // the square root of two.
-DepthRange stableDepths(const FitInput& input);
+DepthSpan stableDepths(const FitInput& input);
 
 // The held view itself. Parallel views are held as they are.
 View heldView(const View& view, double gridStep);

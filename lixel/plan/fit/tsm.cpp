@@ -30,7 +30,7 @@ FitResult fitTsm(const FitInput& input, std::optional<double> focusDepth)
     const auto frame = frameAround(input, points);
     if (!frame) return Unexpected{frame.error()};
 
-    const DepthRange depths = seenDepths(input, viewDepth(input.view, input.originWorld), points);
+    const DepthSpan depths = seenDepths(input, viewDepth(input.view, input.originWorld), points);
     if (const auto line = lineOfSight(input, *frame, depths, points)) {
         const double focus = std::clamp(focusDepth.value_or(std::sqrt(depths.nearest * depths.farthest)),
                                         depths.nearest, depths.farthest);

@@ -37,7 +37,7 @@ struct ViewDepth
     Plane beyond(double depth) const { return {forward, offset - depth}; }  // holds depths >= depth
     Plane before(double depth) const { return {-forward, depth - offset}; } // holds depths <= depth
 };
-struct DepthRange
+struct DepthSpan
 {
     double nearest = 0, farthest = 0;
 };

@@ -59,7 +59,7 @@ CellsResult splitPssm(const FitInput& input, int count, double lambda)
     if (!depth.isPerspective) lambda = 0;
     if (input.isStable) {
         if (input.light.kind != LightKind::Directional) return wholeSpace();
-        const DepthRange range = stableDepths(input);
+        const DepthSpan range = stableDepths(input);
         return split(depth, range.nearest, range.farthest, count, lambda);
     }
     std::vector<Vec3d>& points = input.scratch.points;
@@ -67,7 +67,7 @@ CellsResult splitPssm(const FitInput& input, int count, double lambda)
     if (points.empty()) return Unexpected{FitFailure::NothingInView};
     FitInput anySeen = input;
     anySeen.seenLocal = {};
-    const DepthRange range = seenDepths(anySeen, depth, points);
+    const DepthSpan range = seenDepths(anySeen, depth, points);
     return split(depth, range.nearest, range.farthest, count, lambda);
 }
 
@@ -77,7 +77,7 @@ CellsResult splitSdsm(const FitInput& input, int count)
     if (!input.hasViewSamples) return Unexpected{FitFailure::NoViewSamples};
     if (input.seenLocal.empty()) return Unexpected{FitFailure::NothingInView};
     const ViewDepth depth = viewDepth(input.view, input.originWorld);
-    DepthRange range = seenDepths(input, depth, {});
+    DepthSpan range = seenDepths(input, depth, {});
     if (input.isStable && range.nearest > 0)
         range = {stepped(range.nearest, [](double x) { return std::floor(x); }),
                  stepped(range.farthest, [](double x) { return std::ceil(x); })};
