@@ -151,6 +151,19 @@ TEST(Focused, OfAViewOfTheWholeSceneIsNoLargerThanUniform)
     });
 }
 
+// As a point light in a room sees them; the search for a cone that is not there would otherwise take hours.
+TEST(ConeAround, HalfAMillionDirectionsAllAroundHaveNoConeAndAreSoonKnown)
+{
+    Rng rng(7);
+    std::vector<Vec3d> points, room;
+    for (int i = 0; i < 500000; ++i) points.push_back(rng.logUniform(0.1, 10) * rng.onSphere());
+    EXPECT_LT(coneAround(points, {}, room).cosHalfAngle, 0);
+    // One direction behind all others is enough, wherever in the list it stands.
+    for (Vec3d& p : points) p.z = std::abs(p.z);
+    points[250000] = {0, 0, -1};
+    EXPECT_LT(coneAround(points, {}, room).cosHalfAngle, 0.02);
+}
+
 TEST(ConeAround, HoldsEveryPointAndNoOtherAxisIsBetter)
 {
     forEachCase(test::kCases, [](Rng& rng) {

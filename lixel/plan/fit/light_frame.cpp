@@ -27,6 +27,9 @@ constexpr double kLeastPerRounding = 2e3 * 0x1p-24;
 // Directions nearer the cone's border than this count as inside: above rounding, far below a lixel.
 constexpr double kConeSlack = 1e-14;
 
+// A direction outside by more than this is lost, rather than rounded.
+constexpr double kLostFromCone = 1e-7;
+
 // A little room so that receivers on the very border stay inside after rounding to float.
 constexpr double kBorder = 1 + 1e-6;
 
@@ -138,20 +141,25 @@ DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal, st
     };
 
     // Welzl 1991, on the sphere: the narrowest cone changes only for a direction outside it, which is then on its border.
+    // Directions that do not fit a half-space have no narrowest cone, and the search would find another one at nearly every
+    // direction: it ends at the first cone that loses what came before.
     DirectionCone cone{towards[0], 1};
-    for (std::size_t i = 1; i < towards.size(); ++i) {
+    bool isThere = true;
+    for (std::size_t i = 1; i < towards.size() && isThere; ++i) {
         const Vec3d a = towards[i];
         if (!isOutside(cone, a)) continue;
         cone = {a, 1};
-        for (std::size_t j = 0; j < i; ++j) {
+        for (std::size_t j = 0; j < i && isThere; ++j) {
             const Vec3d b = towards[j];
             if (!isOutside(cone, b)) continue;
             cone = through(normalized(a + b), a);
             for (std::size_t k = 0; k < j; ++k)
                 if (isOutside(cone, towards[k])) cone = throughThree(a, b, towards[k]);
+            isThere = std::all_of(towards.begin(), towards.begin() + std::ptrdiff_t(j),
+                                  [&cone](Vec3d d) { return dot(cone.axis, d) > cone.cosHalfAngle - kLostFromCone; });
         }
     }
-    // Directions that do not fit a half-space have no such cone; the cosine then says so.
+    // Whether it is the narrowest or not, the cosine says how wide the cone about this axis must be.
     for (const Vec3d& d : towards) cone.cosHalfAngle = std::min(cone.cosHalfAngle, dot(cone.axis, d));
     return cone;
 }
