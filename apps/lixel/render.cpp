@@ -162,7 +162,7 @@ void checkOptions(const RenderOptions& options)
     expectEnding(options.output, ".png", "-o");
     expectEnding(options.exr, ".exr", "--exr");
     if (options.exr == "-") throw UsageError("--exr -: expected the name of a file");
-    if (options.exr == options.output) throw UsageError("-o and --exr: expected two files");
+    if (!options.exr.empty() && options.exr == options.output) throw UsageError("-o and --exr: expected two files");
     if (options.picture.view == "all") throw UsageError("--view all: render takes one view; lixel compare takes all");
     if (!options.output.empty()) expectWritable(options.output);
     if (!options.exr.empty()) expectWritable(options.exr);

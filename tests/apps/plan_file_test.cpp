@@ -77,6 +77,13 @@ TEST_F(PlanFile, AMatrixInAnotherConventionIsTheSameMap)
     EXPECT_EQ(scored.at("focused").at("misclassified"), scored.at("matrix(matrix.json)").at("misclassified"));
 }
 
+TEST_F(PlanFile, ALampAmidTheSceneIsRenderedWithACubeByDefault)
+{
+    run({"render", "lamp", "--size", "64x64", "--lixels", "96x96", "--executor", "trace", "--plan", "plan.json"});
+    const Json plan = Json::parse(std::ifstream(folder_.path() / "plan.json"));
+    EXPECT_GT(plan.at("lights").at(0).at("regions").size(), 1u);
+}
+
 TEST_F(PlanFile, ALightThatIsNotInItIsRefusedByName)
 {
     write("m.json",

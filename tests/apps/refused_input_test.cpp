@@ -86,7 +86,7 @@ TEST_F(RefusedInput, CommandsAndOptionsMustBeKnown)
     expectMention(renderRefusal({"--size", "8x8", "--size", "9x9"}, kBadUsage), "--size");
     expectMention(renderRefusal({"--executor", "gl"}, kBadUsage), "--executor");
     expectMention(refusal({"render", room(), "-o", "a.png", "--executor", "vulkan"}, kBadUsage), "gl,trace");
-    expectMention(refusal({"render", room()}, kBadUsage), "-o PICTURE.png or --exr FILE.exr");
+    expectMention(refusal({"render", room()}, kBadUsage), "-o PICTURE.png, --exr FILE.exr or --plan FILE.json");
     expectMention(refusal({"compare", room()}, kBadUsage), "-o FOLDER");
     expectMention(refusal({"techniques", "all"}, kBadUsage), "all");
     expectMention(refusal({"scenes", "atlantis"}, kBadUsage), "atlantis");
@@ -282,7 +282,7 @@ TEST_F(RefusedInput, APointLightAmidTheVisibleSceneIsRefusedByName)
 {
     // A lamp in the middle of the room sees around itself more than one perspective map can hold.
     const Words lamp{"--light-position", "2,0.5,2", "--executor", "trace", "--size", "16x16", "-o", "a.png"};
-    const std::string line = refusal(Words{"render", room()} + lamp, kRefused);
+    const std::string line = refusal(Words{"render", room(), "--technique", "focused"} + lamp, kRefused);
     expectMention(line, "extent-not-in-hemisphere");
     expectMention(line, "cube is needed");
 }
