@@ -3,6 +3,8 @@
 
 #include "lixel/base/rectangle.h"
 
+#include <algorithm>
+
 namespace lixel {
 namespace {
 
@@ -44,9 +46,14 @@ ConvexBody bodyOf(const Box& box)
 
 void clip(ConvexBody& body, const Plane& keep)
 {
+    const auto isOutside = [&](Vec3d p) { return keep.signedDistance(p) < 0; };
+    const auto anyOutside = [&](const ConvexBody::Face& face) {
+        return std::any_of(face.begin(), face.end(), isOutside);
+    };
+    if (std::none_of(body.faces.begin(), body.faces.end(), anyOutside)) return;
+
     ConvexBody out;
     FixedVector<Vec3d, kMostCutPoints> cut;
-    bool anyOutside = false;
     for (const auto& face : body.faces) {
         ConvexBody::Face kept;
         for (std::size_t i = 0; i < face.size(); ++i) {
@@ -54,7 +61,6 @@ void clip(ConvexBody& body, const Plane& keep)
             const double da = keep.signedDistance(a), db = keep.signedDistance(b);
             if (da >= 0) kept.push_back(a);
             if (da >= 0 && da <= 0) cut.push_back(a);
-            anyOutside |= da < 0;
             if ((da > 0 && db < 0) || (da < 0 && db > 0)) {
                 // From the inner point on, so that both faces of an edge find the same crossing.
                 const Vec3d crossing = da > 0 ? a + (da / (da - db)) * (b - a) : b + (db / (db - da)) * (a - b);
@@ -64,7 +70,6 @@ void clip(ConvexBody& body, const Plane& keep)
         }
         if (kept.size() >= 3) out.faces.push_back(kept);
     }
-    if (!anyOutside) return;
     if (!out.isEmpty() && cut.size() >= 3) {
         const ConvexBody::Face face = faceThrough(cut, -keep.normal);
         if (face.size() >= 3) out.faces.push_back(face);

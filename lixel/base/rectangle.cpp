@@ -44,37 +44,6 @@ bool isBetter(const OrientedRectangle& a, const OrientedRectangle& b)
     return dot(a.axis, kPreferredAxis) > dot(b.axis, kPreferredAxis);
 }
 
-// Moves points that are well inside an octagon of eight extreme ones behind the others (Akl & Toussaint 1978) and returns how many
-// others there are: sorting is what a hull costs.
-std::size_t leaveOutInner(std::span<Vec2d> points)
-{
-    constexpr std::size_t kWorthwhile = 32;
-    if (points.size() < kWorthwhile) return points.size();
-    constexpr std::array<Vec2d, 8> kTowards{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
-    std::array<Vec2d, 8> extreme;
-    extreme.fill(points[0]);
-    for (const Vec2d& p : points)
-        for (std::size_t k = 0; k < 8; ++k)
-            if (dot(kTowards[k], p - extreme[k]) > 0) extreme[k] = p;
-    if (extreme[0] == extreme[4] && extreme[2] == extreme[6]) return points.size();
-    // Sides as lines, inside positive, less a little for rounding; corners that are one have no side between them.
-    std::array<Vec2d, 8> normal;
-    std::array<double, 8> offset;
-    for (std::size_t k = 0; k < 8; ++k) {
-        const Vec2d side = extreme[(k + 1) % 8] - extreme[k];
-        normal[k] = {-side.y, side.x};
-        const double terms = std::abs(side.y * extreme[k].x) + std::abs(side.x * extreme[k].y);
-        offset[k] = side == Vec2d{} ? 1 : -dot(normal[k], extreme[k]) - 1e-12 * terms;
-    }
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        bool isInner = true;
-        for (std::size_t k = 0; k < 8 && isInner; ++k) isInner = dot(normal[k], points[i]) + offset[k] > 0;
-        if (!isInner) std::swap(points[kept++], points[i]);
-    }
-    return kept;
-}
-
 } // namespace
 
 OrientedRectangle rectangleAlong(std::span<const Vec2d> points, Vec2d axis)
@@ -91,10 +60,48 @@ OrientedRectangle rectangleAlong(std::span<const Vec2d> points, Vec2d axis)
     return {middle.x * axis + middle.y * side, axis, 0.5 * (high - low)};
 }
 
+HullSieve::HullSieve(std::span<const Vec2d> points, double beyond)
+{
+    constexpr std::size_t kWorthwhile = 32;
+    if (points.size() < kWorthwhile) return;
+    // Counter-clockwise from +x, each farthest along its direction.
+    Vec2d e0 = points[0], e1 = e0, e2 = e0, e3 = e0, e4 = e0, e5 = e0, e6 = e0, e7 = e0;
+    for (const Vec2d& p : points) {
+        const double sum = p.x + p.y, difference = p.y - p.x;
+        if (p.x > e0.x) e0 = p;
+        if (sum > e1.x + e1.y) e1 = p;
+        if (p.y > e2.y) e2 = p;
+        if (difference > e3.y - e3.x) e3 = p;
+        if (p.x < e4.x) e4 = p;
+        if (sum < e5.x + e5.y) e5 = p;
+        if (p.y < e6.y) e6 = p;
+        if (difference < e7.y - e7.x) e7 = p;
+    }
+    if (e0 == e4 && e2 == e6) return;
+    // Each diagonal extreme lies beyond one corner of this box, hence the box within their hull.
+    low_ = {std::max(e3.x, e5.x), std::max(e5.y, e7.y)};
+    high_ = {std::min(e1.x, e7.x), std::min(e1.y, e3.y)};
+
+    // Sides as lines; corners that are one have no side between them.
+    const double size = e0.x - e4.x + e2.y - e6.y;
+    isWorthwhile_ = true;
+    corner_ = {e0, e1, e2, e3, e4, e5, e6, e7};
+    for (std::size_t k = 0; k < 8; ++k) {
+        const Vec2d side = corner_[(k + 1) % 8] - corner_[k];
+        normal_[k] = {-side.y, side.x};
+        offset_[k] = side == Vec2d{} ? 1 : -dot(normal_[k], corner_[k]) + beyond * size * length(side);
+    }
+}
+
 std::size_t convexHull(std::span<Vec2d> points, std::span<Vec2d> hull)
 {
     LX_ASSERT(hull.size() > points.size());
-    points = points.first(leaveOutInner(points));
+    // Sorting is what a hull costs: most points are left out before.
+    const HullSieve sieve(points, -kLeastSide);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (!sieve.isInner(points[i])) std::swap(points[kept++], points[i]);
+    points = points.first(kept);
     std::sort(points.begin(), points.end(), [](Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     const auto count = std::size_t(std::unique(points.begin(), points.end()) - points.begin());
     if (count < 3) {

@@ -3,6 +3,7 @@
 
 #include "lixel/base/vec.h"
 
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -12,6 +13,28 @@ namespace lixel {
 // corners to `hull`, which needs room for one more than there are points, and returns how many: fewer than three where the
 // points lie on a line or are one.
 std::size_t convexHull(std::span<Vec2d> points, std::span<Vec2d> hull);
+
+// Tells of most points at once that they are no corners of the hull of all: they lie well inside eight extreme ones (S. Akl,
+// G. Toussaint. A Fast Convex Hull Algorithm. 1978). What it does not call inner may be a corner or not.
+class HullSieve
+{
+public:
+    // A point counts as inner up to `beyond` outside the octagon, against the size of it all. Negative: that much inside.
+    HullSieve(std::span<const Vec2d> points, double beyond);
+    bool isInner(Vec2d p) const
+    {
+        if (p.x > low_.x && p.x < high_.x && p.y > low_.y && p.y < high_.y) return true;
+        for (std::size_t k = 0; k < 8; ++k)
+            if (!(dot(normal_[k], p) + offset_[k] > 0) || p == corner_[k]) return false;
+        return isWorthwhile_;
+    }
+
+private:
+    Vec2d low_{1, 1}, high_{-1, -1};           // a box inside the octagon of extreme points
+    std::array<Vec2d, 8> corner_{}, normal_{}; // the octagon, and its sides, inside positive
+    std::array<double, 8> offset_{};
+    bool isWorthwhile_ = false;
+};
 
 // A rectangle of any orientation: centre + a * halfSize.x * axis + b * halfSize.y * perpendicular(axis), a, b in [-1, 1].
 struct OrientedRectangle

@@ -20,7 +20,7 @@ struct Start
 {
     RandomSetup setup;
     FitScratch scratch;
-    std::optional<LightFrame> frame;
+    std::optional<FramedBody> body;
     DepthSpan depths;
     std::optional<LineOfSight> line;
 
@@ -37,11 +37,11 @@ bool begin(Start& start, Rng& rng, std::optional<LightKind> kind = {})
     const FitInput input = start.input();
     findVisiblePoints(input, start.scratch.points);
     if (start.scratch.points.empty()) return false;
-    const auto frame = frameAround(input, start.scratch.points);
-    if (!frame) return false;
-    start.frame = *frame;
+    const auto body = frameAround(input, start.scratch.points);
+    if (!body) return false;
+    start.body = *body;
     start.depths = seenDepths(input, viewDepth(input.view, input.originWorld), start.scratch.points);
-    start.line = lineOfSight(input, *frame, start.depths, start.scratch.points);
+    start.line = lineOfSight(input, *body, start.depths);
     return start.line.has_value();
 }
 
@@ -59,11 +59,11 @@ TEST(Lispsm, WithItsCentreAtInfinityIsTheParallelMapInTheSameOrientation)
         if (!begin(start, rng)) return;
         const std::span<const Vec3d> points = start.scratch.points;
         const FitInput input = start.input();
-        const Fit far = fitAlong(input, *start.frame, *start.line, 1e12 * start.line->length, points);
+        const Fit far = fitAlong(input, *start.body, *start.line, 1e12 * start.line->length);
         const Vec2d a = start.line->along;
-        const auto turned = warped(*start.frame, {{a.y, -a.x, 0}, {a.x, a.y, 0}, {0, 0, 1}}, points);
+        const auto turned = warped(*start.body, {{a.y, -a.x, 0}, {a.x, a.y, 0}, {0, 0, 1}});
         ASSERT_TRUE(turned);
-        const Fit parallel = fitTightly(*turned, points, RectangleKind::Upright, input);
+        const Fit parallel = fitTightly(*turned, RectangleKind::Upright, input);
         for (const Vec3d& p : points) {
             EXPECT_NEAR(ndc(far, p).x, ndc(parallel, p).x, 1e-6);
             EXPECT_NEAR(ndc(far, p).y, ndc(parallel, p).y, 1e-6);
@@ -80,7 +80,7 @@ TEST(Lispsm, ForParallelLightTheCentreIsWhereThePaperPutsIt)
         const double gamma = std::acos(dot(normalized(start.line->perDepth), -start.setup.light.directionWorld));
         const double zn = start.depths.nearest, zf = start.depths.farthest;
         const double paper = (zn + std::sqrt(zn * zf)) / std::sin(gamma);
-        EXPECT_NEAR(lispsmDistance(*start.frame, *start.line, start.depths) / paper, 1, 1e-6);
+        EXPECT_NEAR(lispsmDistance(start.body->frame, *start.line, start.depths) / paper, 1, 1e-6);
         ++tried;
     });
     EXPECT_GT(tried, test::scaled(test::kCases) / 10);
@@ -94,13 +94,13 @@ TEST(Lispsm, AcrossTheLineOfSightErrorsAreEqualAtBothEndsForLightsOfEveryKind)
     forEachCase(10 * test::kCases, [&](Rng& rng) {
         Start start;
         if (!begin(start, rng) || start.line->sineSquared < 0.95) return;
-        const double best = lispsmDistance(*start.frame, *start.line, start.depths) * start.line->sineSquared;
+        const double best = lispsmDistance(start.body->frame, *start.line, start.depths) * start.line->sineSquared;
         if (!std::isfinite(best)) return;
         const auto errorAt = [&](double distance, double depth) {
             // Of the perspective from `distance` before the first point of the line itself.
-            const double first = placeAlong(*start.line, *start.frame, start.line->at(start.depths.nearest));
+            const double first = placeAlong(*start.line, start.body->frame, start.line->at(start.depths.nearest));
             const auto mapped = [&](double z) {
-                const double t = placeAlong(*start.line, *start.frame, start.line->at(z)) - first;
+                const double t = placeAlong(*start.line, start.body->frame, start.line->at(z)) - first;
                 return t / (distance + t);
             };
             const double h = 1e-5 * depth, lixelsPerDepth = (mapped(depth + h) - mapped(depth - h)) / (2 * h);
@@ -113,8 +113,8 @@ TEST(Lispsm, AcrossTheLineOfSightErrorsAreEqualAtBothEndsForLightsOfEveryKind)
         ++tried;
         for (const double other : {0.7, 0.95, 1.05, 1.4}) {
             const double scale = other * best; // the whole span is one map in each: compare at equal lixels
-            const double span = placeAlong(*start.line, *start.frame, start.line->at(start.depths.farthest)) -
-                                placeAlong(*start.line, *start.frame, start.line->at(start.depths.nearest));
+            const double span = placeAlong(*start.line, start.body->frame, start.line->at(start.depths.farthest)) -
+                                placeAlong(*start.line, start.body->frame, start.line->at(start.depths.nearest));
             const auto perMap = [&](double distance) { return worst(distance) * span / (distance + span); };
             EXPECT_LE(perMap(best), perMap(scale) * (1 + 1e-3));
         }
@@ -129,7 +129,7 @@ TEST(Tsm, TheFocusPointComesToLieAtEightyPercentOfTheMap)
         Start start;
         if (!begin(start, rng)) return;
         const double focus = start.depths.nearest * std::pow(start.depths.farthest / start.depths.nearest, 0.4);
-        const double delta = placeAlong(*start.line, *start.frame, start.line->at(focus));
+        const double delta = placeAlong(*start.line, start.body->frame, start.line->at(focus));
         if (!(delta > 0) || !std::isfinite(tsmDistance(start.line->length, delta))) return;
         const FitResult fit = fitTsm(start.input(), focus);
         ASSERT_TRUE(fit);

@@ -17,9 +17,9 @@ DepthSpan seenDepths(const FitInput& input, const ViewDepth& depth, std::span<co
     return range;
 }
 
-std::optional<LineOfSight> lineOfSight(const FitInput& input, const LightFrame& frame, const DepthSpan& depths,
-                                       std::span<const Vec3d> visiblePoints)
+std::optional<LineOfSight> lineOfSight(const FitInput& input, const FramedBody& body, const DepthSpan& depths)
 {
+    const LightFrame& frame = body.frame;
     const ViewDepth depth = viewDepth(input.view, input.originWorld);
     if (!depth.isPerspective || !(depths.nearest > 0) || !(depths.farthest > depths.nearest)) return std::nullopt;
     const Mat4d clip = clipFromLocal(input.view, input.originWorld);
@@ -39,7 +39,7 @@ std::optional<LineOfSight> lineOfSight(const FitInput& input, const LightFrame& 
 
     double last = -std::numeric_limits<double>::infinity();
     line.first = std::numeric_limits<double>::infinity();
-    for (const Vec3d& p : visiblePoints) {
+    for (const Vec3d& p : body.corners) {
         const double t = dot(line.along, onLightPlane(frame, p));
         line.first = std::min(line.first, t);
         last = std::max(last, t);
@@ -56,17 +56,15 @@ double placeAlong(const LineOfSight& line, const LightFrame& frame, Vec3d pointL
     return dot(line.along, onLightPlane(frame, pointLocal)) - line.first;
 }
 
-Fit fitAlong(const FitInput& input, const LightFrame& frame, const LineOfSight& line, double distance,
-             std::span<const Vec3d> visiblePoints)
+Fit fitAlong(const FitInput& input, const FramedBody& body, const LineOfSight& line, double distance)
 {
     // From the centre, t along the line and s across it: s / t' and t / t' with t' = 1 + t / distance, so that no digits
     // are lost as the centre goes to infinity. The depth of the map's plane does not matter.
     const Vec2d a = line.along, across{a.y, -a.x};
     const Vec3d along{a.x, a.y, -line.first};
     const PlaneWarp warp{{across.x, across.y, -line.aside}, along, (1 / distance) * along + Vec3d{0, 0, 1}};
-    const LightFrame perspective =
-        warped(frame, warp, visiblePoints).value_or(frame); // t' >= 1: its horizon is elsewhere
-    return fitTightly(perspective, visiblePoints, RectangleKind::Upright, input);
+    const FramedBody perspective = warped(body, warp).value_or(body); // t' >= 1: its horizon is elsewhere
+    return fitTightly(perspective, RectangleKind::Upright, input);
 }
 
 } // namespace lixel

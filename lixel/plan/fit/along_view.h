@@ -28,15 +28,13 @@ struct LineOfSight
 };
 
 // Nothing for parallel views, and where the line runs along the light or out of its half-space between the two depths.
-std::optional<LineOfSight> lineOfSight(const FitInput& input, const LightFrame& frame, const DepthSpan& depths,
-                                       std::span<const Vec3d> visiblePoints);
+std::optional<LineOfSight> lineOfSight(const FitInput& input, const FramedBody& body, const DepthSpan& depths);
 
 // Where a point lies along the line, from the start of the body.
 double placeAlong(const LineOfSight& line, const LightFrame& frame, Vec3d pointLocal);
 
 // The perspective whose centre is `distance` before the start of the body, framed upright along the line. With distance to
 // infinity it is the parallel map in the same orientation.
-Fit fitAlong(const FitInput& input, const LightFrame& frame, const LineOfSight& line, double distance,
-             std::span<const Vec3d> visiblePoints);
+Fit fitAlong(const FitInput& input, const FramedBody& body, const LineOfSight& line, double distance);
 
 } // namespace lixel

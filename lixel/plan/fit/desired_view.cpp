@@ -10,9 +10,9 @@ FitResult fitDesiredView(const FitInput& input, bool isRotated)
     if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
     if (!input.hasViewSamples) return Unexpected{FitFailure::NoViewSamples};
     if (input.seenLocal.empty()) return Unexpected{FitFailure::NothingInView};
-    const auto frame = frameAround(input, input.seenLocal);
-    if (!frame) return Unexpected{frame.error()};
-    return fitTightly(*frame, input.seenLocal, isRotated ? RectangleKind::LeastArea : RectangleKind::Upright, input);
+    const auto body = frameAround(input, input.seenLocal);
+    if (!body) return Unexpected{body.error()};
+    return fitTightly(*body, isRotated ? RectangleKind::LeastArea : RectangleKind::Upright, input);
 }
 
 } // namespace lixel

@@ -33,7 +33,7 @@ struct FitScratch
     {
         std::vector<Vec2d> points, hull;
     };
-    std::vector<Vec3d> points, casterPoints, directions;
+    std::vector<Vec3d> points, corners, casterPoints, directions;
     OnPlane plane;
     // View samples that face the light, then those of the region.
     std::vector<Vec3d> seenLocal, seenNormal, seenInCellLocal, seenInCellNormal;

@@ -14,9 +14,9 @@ FitResult fitFocused(const FitInput& input)
     findVisiblePoints(input, points);
     if (points.empty()) return Unexpected{FitFailure::NothingInView};
     if (input.isStable) return fitStable(input);
-    const auto frame = frameAround(input, points);
-    if (!frame) return Unexpected{frame.error()};
-    return fitTightly(*frame, points, RectangleKind::LeastArea, input);
+    const auto body = frameAround(input, points);
+    if (!body) return Unexpected{body.error()};
+    return fitTightly(*body, RectangleKind::LeastArea, input);
 }
 
 } // namespace lixel

@@ -30,6 +30,9 @@ constexpr double kConeSlack = 1e-14;
 // A direction outside by more than this is lost, rather than rounded.
 constexpr double kLostFromCone = 1e-7;
 
+// So far, against the whole, corners may be left out beside a line between others: far below the border.
+constexpr double kNoLoss = 1e-9;
+
 // A little room so that receivers on the very border stay inside after rounding to float.
 constexpr double kBorder = 1 + 1e-6;
 
@@ -104,6 +107,25 @@ double nearestCaster(const LightFrame& frame, const OrientedRectangle& rectangle
     return nearest;
 }
 
+// Of the points those that can be corners of their image; all, where some are not before the frame's light.
+void keepCorners(const LightFrame& frame, std::span<const Vec3d> points, FitScratch& scratch)
+{
+    std::vector<Vec2d>& onPlane = scratch.plane.points;
+    onPlane.clear();
+    scratch.corners.clear();
+    const Vec4d w = frame.framedFromLocal.row(3);
+    for (const Vec3d& p : points) {
+        if (!(dot(w, point(p)) > 0)) {
+            scratch.corners.assign(points.begin(), points.end());
+            return;
+        }
+        onPlane.push_back(onLightPlane(frame, p));
+    }
+    const HullSieve sieve(onPlane, kNoLoss); // what a cone cuts lies in line
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (!sieve.isInner(onPlane[i])) scratch.corners.push_back(points[i]);
+}
+
 } // namespace
 
 LightFrame lightFrame(const Light& light, Vec3d originWorld, Vec3d axisLocal)
@@ -164,51 +186,56 @@ DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal, st
     return cone;
 }
 
-std::optional<LightFrame> warped(const LightFrame& frame, const PlaneWarp& warp, std::span<const Vec3d> points)
+std::optional<FramedBody> warped(const FramedBody& body, const PlaneWarp& warp)
 {
-    const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
-    const auto along = [&](Vec3d row) { return row.x * x + row.y * y + row.z * w; };
-    LightFrame out = frame;
+    const Mat4d& from = body.frame.framedFromLocal;
+    const auto along = [&](Vec3d row) { return row.x * from.row(0) + row.y * from.row(1) + row.z * from.row(3); };
+    FramedBody out = body;
     const Vec4d newW = along(warp.w);
-    out.framedFromLocal.setRow(0, along(warp.x));
-    out.framedFromLocal.setRow(1, along(warp.y));
-    out.framedFromLocal.setRow(3, newW);
-    if (frame.isPerspective) out.framedFromLocal.setRow(2, newW);
-    return held(out, points);
+    out.frame.framedFromLocal.setRow(0, along(warp.x));
+    out.frame.framedFromLocal.setRow(1, along(warp.y));
+    out.frame.framedFromLocal.setRow(3, newW);
+    if (body.frame.isPerspective) out.frame.framedFromLocal.setRow(2, newW);
+    return held(out);
 }
 
-std::optional<LightFrame> held(LightFrame frame, std::span<const Vec3d> points)
+std::optional<FramedBody> held(FramedBody body)
 {
-    const Vec4d w = frame.framedFromLocal.row(3);
+    const Vec4d w = body.frame.framedFromLocal.row(3);
     double least = std::numeric_limits<double>::infinity(), most = 0;
-    for (const Vec3d& p : points) {
+    for (const Vec3d& p : body.corners) {
         const double value = dot(w, point(p));
         least = std::min(least, value);
         most = std::max(most, value);
     }
     if (!(least > kLeastRelativeW * most)) return std::nullopt;
-    frame.leastW = frame.isPerspective ? 1 : least;
-    return frame;
+    body.frame.leastW = body.frame.isPerspective ? 1 : least;
+    return body;
 }
 
-Expected<LightFrame, FitFailure> frameAround(const FitInput& input, std::span<const Vec3d> points)
+Expected<FramedBody, FitFailure> frameAround(const FitInput& input, std::span<const Vec3d> points)
 {
-    Vec3d axis = input.light.directionWorld;
-    if (input.light.kind != LightKind::Directional) {
-        const DirectionCone cone =
-            coneAround(points, input.light.positionWorld - input.originWorld, input.scratch.directions);
-        if (cone.cosHalfAngle < kLeastCosHalfAngle) return Unexpected{FitFailure::ExtentNotInHemisphere};
-        axis = cone.axis;
+    FitScratch& scratch = input.scratch;
+    if (input.light.kind == LightKind::Directional) {
+        const LightFrame frame = lightFrame(input.light, input.originWorld, input.light.directionWorld);
+        keepCorners(frame, points, scratch);
+        return FramedBody{frame, points, scratch.corners};
     }
-    return lightFrame(input.light, input.originWorld, axis);
+    // Any frame with all points before the light has the same corners; most often one towards the middle of them has.
+    const Vec3d lightLocal = input.light.positionWorld - input.originWorld;
+    Box box;
+    for (const Vec3d& p : points) box.include(p);
+    keepCorners(lightFrame(input.light, input.originWorld, normalized(box.centre() - lightLocal)), points, scratch);
+    const DirectionCone cone = coneAround(scratch.corners, lightLocal, scratch.directions);
+    if (cone.cosHalfAngle < kLeastCosHalfAngle) return Unexpected{FitFailure::ExtentNotInHemisphere};
+    return FramedBody{lightFrame(input.light, input.originWorld, cone.axis), points, scratch.corners};
 }
 
-OrientedRectangle rectangleAround(const LightFrame& frame, std::span<const Vec3d> points, RectangleKind kind,
-                                  FitScratch& scratch)
+OrientedRectangle rectangleAround(const FramedBody& body, RectangleKind kind, FitScratch& scratch)
 {
     auto& [onPlane, hull] = scratch.plane;
     onPlane.clear();
-    for (const Vec3d& p : points) onPlane.push_back(onLightPlane(frame, p));
+    for (const Vec3d& p : body.corners) onPlane.push_back(onLightPlane(body.frame, p));
     OrientedRectangle rectangle;
     if (kind == RectangleKind::Upright) {
         rectangle = rectangleAlong(onPlane, {1, 0});
@@ -217,23 +244,22 @@ OrientedRectangle rectangleAround(const LightFrame& frame, std::span<const Vec3d
         const std::size_t corners = convexHull(onPlane, hull);
         rectangle = minimumAreaRectangle({hull.data(), corners});
     }
-    const Vec2d rounding = kLeastPerRounding * roundingIn(frame, rectangle, points);
+    const Vec2d rounding = kLeastPerRounding * roundingIn(body.frame, rectangle, body.corners);
     rectangle.halfSize = {std::max(rectangle.halfSize.x, rounding.x), std::max(rectangle.halfSize.y, rounding.y)};
     return rectangle;
 }
 
-double farthestDepth(const LightFrame& frame, std::span<const Vec3d> points)
+double farthestDepth(const FramedBody& body)
 {
-    const Vec4d depth = frame.framedFromLocal.row(2);
+    const Vec4d depth = body.frame.framedFromLocal.row(2);
     double farthest = -std::numeric_limits<double>::infinity();
-    for (const Vec3d& p : points) farthest = std::max(farthest, dot(depth, point(p)));
+    for (const Vec3d& p : body.points) farthest = std::max(farthest, dot(depth, point(p)));
     return farthest;
 }
 
-Fit fitTightly(const LightFrame& frame, std::span<const Vec3d> points, RectangleKind kind, const FitInput& input)
+Fit fitTightly(const FramedBody& body, RectangleKind kind, const FitInput& input)
 {
-    return fitRectangle(frame, rectangleAround(frame, points, kind, input.scratch), farthestDepth(frame, points),
-                        input);
+    return fitRectangle(body.frame, rectangleAround(body, kind, input.scratch), farthestDepth(body), input);
 }
 
 Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double farDepth, const FitInput& input)

@@ -28,12 +28,20 @@ struct PlaneWarp
     Vec3d x{1, 0, 0}, y{0, 1, 0}, w{0, 0, 1};
 };
 
-// Depth of lights at a point becomes the new w, which is 0 at the light and grows along rays where it is positive at all; that of
-// parallel light stays. `points` are what must be held. Nothing where the warp's own horizon (w = 0) meets them.
-std::optional<LightFrame> warped(const LightFrame& frame, const PlaneWarp& warp, std::span<const Vec3d> points);
+// What a map must hold, as the light sees it.
+struct FramedBody
+{
+    LightFrame frame;
+    std::span<const Vec3d> points;  // all of it
+    std::span<const Vec3d> corners; // those of them that can be corners of its image; planar maps keep them so
+};
 
-// The frame with its leastW found; nothing where w is not positive, or next to nothing, at some point that must be held.
-std::optional<LightFrame> held(LightFrame frame, std::span<const Vec3d> points);
+// Depth of lights at a point becomes the new w, which is 0 at the light and grows along rays where it is positive at all; that of
+// parallel light stays. Nothing where the warp's own horizon (w = 0) meets the body.
+std::optional<FramedBody> warped(const FramedBody& body, const PlaneWarp& warp);
+
+// The body with its frame's leastW found; nothing where w is not positive, or next to nothing, at some corner.
+std::optional<FramedBody> held(FramedBody body);
 
 // Where a point lies on the light plane. Needs w > 0.
 inline Vec2d onLightPlane(const LightFrame& frame, Vec3d pointLocal)
@@ -54,24 +62,23 @@ DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal, st
 // The widest cone that one perspective map serves: its half angle stays below 88.8 degrees.
 inline constexpr double kLeastCosHalfAngle = 0.02;
 
-// The light's frame that looks along the axis of the narrowest cone around the points (directional lights: along their
-// direction). Refuses ExtentNotInHemisphere. Needs a point.
-Expected<LightFrame, FitFailure> frameAround(const FitInput& input, std::span<const Vec3d> points);
+// The points in the light's frame that looks along the axis of the narrowest cone around them (directional lights: along their
+// direction). Corners are kept in the input's scratch. Refuses ExtentNotInHemisphere. Needs a point.
+Expected<FramedBody, FitFailure> frameAround(const FitInput& input, std::span<const Vec3d> points);
 
 enum class RectangleKind {
     Upright, // sides along the frame's x and y
     LeastArea
 };
 
-// The rectangle on the light plane that holds the points. Needs a point, and w > 0 at all of them.
-OrientedRectangle rectangleAround(const LightFrame& frame, std::span<const Vec3d> points, RectangleKind kind,
-                                  FitScratch& scratch);
+// The rectangle on the light plane that holds the body. Needs a point, and w > 0 at all corners.
+OrientedRectangle rectangleAround(const FramedBody& body, RectangleKind kind, FitScratch& scratch);
 
-double farthestDepth(const LightFrame& frame, std::span<const Vec3d> points);
+double farthestDepth(const FramedBody& body);
 
-// The tightest fit that holds the points: their rectangle on the light plane, from the nearest caster before it to the farthest
+// The tightest fit that holds the body: its rectangle on the light plane, from the nearest caster before it to the farthest
 // point. Needs a point.
-Fit fitTightly(const LightFrame& frame, std::span<const Vec3d> points, RectangleKind kind, const FitInput& input);
+Fit fitTightly(const FramedBody& body, RectangleKind kind, const FitInput& input);
 
 // The fit whose NDC square is the rectangle of the light plane. Near: the nearest caster box that reaches into the rectangle,
 // not nearer than 1e-4 of the far depth for perspective; far: the given depth.

@@ -15,14 +15,14 @@ constexpr double kFarthestCentre = 8;
 FitResult fitSeen(const FitInput& input)
 {
     const std::vector<Vec3d>& points = input.scratch.points;
-    const auto frame = frameAround(input, points);
-    if (!frame) return Unexpected{frame.error()};
+    const auto body = frameAround(input, points);
+    if (!body) return Unexpected{body.error()};
     const DepthSpan depths = seenDepths(input, viewDepth(input.view, input.originWorld), points);
-    if (const auto line = lineOfSight(input, *frame, depths, points)) {
-        const double distance = lispsmDistance(*frame, *line, depths);
-        if (distance < kFarthestCentre * line->length) return fitAlong(input, *frame, *line, distance, points);
+    if (const auto line = lineOfSight(input, *body, depths)) {
+        const double distance = lispsmDistance(body->frame, *line, depths);
+        if (distance < kFarthestCentre * line->length) return fitAlong(input, *body, *line, distance);
     }
-    return fitTightly(*frame, points, RectangleKind::LeastArea, input);
+    return fitTightly(*body, RectangleKind::LeastArea, input);
 }
 
 } // namespace

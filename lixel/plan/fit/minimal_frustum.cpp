@@ -4,8 +4,6 @@
 #include "lixel/plan/fit/light_frame.h"
 #include "lixel/plan/fit/visible_body.h"
 
-#include <algorithm>
-
 namespace lixel {
 
 FitResult fitMinimalFrustum(const FitInput& input)
@@ -14,18 +12,15 @@ FitResult fitMinimalFrustum(const FitInput& input)
     std::vector<Vec3d>& points = input.scratch.points;
     findVisiblePoints(input, points);
     if (points.empty()) return Unexpected{FitFailure::NothingInView};
-    const auto frame = frameAround(input, points);
-    if (!frame) return Unexpected{frame.error()};
-
-    const OrientedRectangle rectangle = rectangleAround(*frame, points, RectangleKind::LeastArea, input.scratch);
-    const double far = farthestDepth(*frame, points);
+    const auto body = frameAround(input, points);
+    if (!body) return Unexpected{body.error()};
+    const OrientedRectangle rectangle = rectangleAround(*body, RectangleKind::LeastArea, input.scratch);
+    const double far = farthestDepth(*body);
 
     // What is left of the boxes between the light and the farthest receiver, within the rectangle, has the near depth.
-    findCasterPoints(input, fitRectangle(*frame, rectangle, far, far).lightClipFromLocal, input.scratch.casterPoints);
-    double near = far;
-    const Vec4d depth = frame->framedFromLocal.row(2);
-    for (const Vec3d& p : input.scratch.casterPoints) near = std::min(near, dot(depth, point(p)));
-    return fitRectangle(*frame, rectangle, near, far);
+    const Mat4d roughly = fitRectangle(body->frame, rectangle, far, far).lightClipFromLocal;
+    const double near = leastOverCasters(input, roughly, body->frame.framedFromLocal.row(2), far);
+    return fitRectangle(body->frame, rectangle, near, far);
 }
 
 } // namespace lixel

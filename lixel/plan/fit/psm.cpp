@@ -22,16 +22,13 @@ constexpr int kMostSteps = 16;
 // The share of the view's own depth that a caster may come near to the virtual camera.
 constexpr double kLeastClearance = 1e-3;
 
-// Where the casters begin along the line of sight: those between the light and what is seen.
-double nearestCasterDepth(const FitInput& input, const LightFrame& frame, const ViewDepth& depth,
-                          std::span<const Vec3d> visiblePoints)
+// Where the casters begin along the line of sight, those between the light and what is seen; `most` where none is nearer.
+double nearestCasterDepth(const FitInput& input, const FramedBody& body, const ViewDepth& depth, double most)
 {
-    const OrientedRectangle rectangle = rectangleAround(frame, visiblePoints, RectangleKind::LeastArea, input.scratch);
-    const double far = farthestDepth(frame, visiblePoints);
-    findCasterPoints(input, fitRectangle(frame, rectangle, far, far).lightClipFromLocal, input.scratch.casterPoints);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Vec3d& p : input.scratch.casterPoints) nearest = std::min(nearest, depth.of(p));
-    return nearest;
+    const OrientedRectangle rectangle = rectangleAround(body, RectangleKind::LeastArea, input.scratch);
+    const double far = farthestDepth(body);
+    const Vec4d function{depth.forward.x, depth.forward.y, depth.forward.z, depth.offset};
+    return leastOverCasters(input, fitRectangle(body.frame, rectangle, far, far).lightClipFromLocal, function, most);
 }
 
 // The view's perspective, its camera moved back by `shift`, with the tightest cube around what is seen: Local to homogeneous
@@ -71,24 +68,24 @@ Mat4d lookAtCube(const Mat4d& virtualClip, Vec4d lightLocal, Vec4d depthRow)
     return Mat4d::fromRows(along(right), along(up), depthRow, perDistance * along(axis) + cw);
 }
 
-// The frame of the light in the virtual view; nothing where the light lies within or beside what is seen there.
-std::optional<LightFrame> seenByLight(const FitInput& input, const Mat4d& virtualClip, const LightFrame& frame,
-                                      std::span<const Vec3d> visiblePoints)
+// The body as the light sees it in the virtual view; nothing where the light lies within or beside it there.
+std::optional<FramedBody> seenByLight(const FitInput& input, const Mat4d& virtualClip, const FramedBody& body)
 {
     const bool isParallel = input.light.kind == LightKind::Directional;
     const Vec4d lightLocal =
         isParallel ? direction(-input.light.directionWorld) : point(input.light.positionWorld - input.originWorld);
-    LightFrame seen{lookAtCube(virtualClip, lightLocal, frame.framedFromLocal.row(2)), !isParallel, 1};
-    if (!isParallel) seen.framedFromLocal.setRow(2, seen.framedFromLocal.row(3));
+    FramedBody seen = body;
+    seen.frame = {lookAtCube(virtualClip, lightLocal, body.frame.framedFromLocal.row(2)), !isParallel, 1};
+    if (!isParallel) seen.frame.framedFromLocal.setRow(2, seen.frame.framedFromLocal.row(3));
     double least = std::numeric_limits<double>::infinity(), most = 0;
-    for (const Vec3d& p : visiblePoints) {
+    for (const Vec3d& p : body.points) {
         // Against the view's own w, it is how far the light is from the point, in the virtual view's cube.
-        const double w = dot(seen.framedFromLocal.row(3), point(p)) / dot(virtualClip.row(3), point(p));
+        const double w = dot(seen.frame.framedFromLocal.row(3), point(p)) / dot(virtualClip.row(3), point(p));
         least = std::min(least, w);
         most = std::max(most, w);
     }
     if (!(least > kLeastRelativeDistance * most)) return std::nullopt;
-    return held(seen, visiblePoints);
+    return held(seen);
 }
 
 } // namespace
@@ -99,23 +96,23 @@ FitResult fitPsm(const FitInput& input, PsmShift shift)
     std::vector<Vec3d>& points = input.scratch.points;
     findVisiblePoints(input, points);
     if (points.empty()) return Unexpected{FitFailure::NothingInView};
-    const auto frame = frameAround(input, points);
-    if (!frame) return Unexpected{frame.error()};
+    const auto body = frameAround(input, points);
+    if (!body) return Unexpected{body.error()};
     const ViewDepth depth = viewDepth(input.view, input.originWorld);
     const DepthSpan depths = seenDepths(input, depth, points);
     if (!depth.isPerspective || !(depths.nearest > 0) || !(depths.farthest > depths.nearest))
-        return fitTightly(*frame, points, RectangleKind::LeastArea, input);
+        return fitTightly(*body, RectangleKind::LeastArea, input);
 
+    const double clearance = kLeastClearance * depths.farthest;
     double back = 0;
-    if (shift == PsmShift::Casters)
-        back = std::max(0.0, kLeastClearance * depths.farthest - nearestCasterDepth(input, *frame, depth, points));
+    if (shift == PsmShift::Casters) back = clearance - nearestCasterDepth(input, *body, depth, clearance);
     // A light within or beside the picture leaves it as the camera moves back.
     for (int i = 0; i < kMostSteps; ++i) {
-        const auto seen = seenByLight(input, virtualClipFromLocal(input, depth, back, depths, points), *frame, points);
-        if (seen) return fitTightly(*seen, points, RectangleKind::LeastArea, input);
+        const auto seen = seenByLight(input, virtualClipFromLocal(input, depth, back, depths, points), *body);
+        if (seen) return fitTightly(*seen, RectangleKind::LeastArea, input);
         back = 2 * back + kFirstStep * depths.farthest;
     }
-    return fitTightly(*frame, points, RectangleKind::LeastArea, input);
+    return fitTightly(*body, RectangleKind::LeastArea, input);
 }
 
 } // namespace lixel

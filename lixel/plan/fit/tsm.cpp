@@ -27,18 +27,18 @@ FitResult fitTsm(const FitInput& input, std::optional<double> focusDepth)
     std::vector<Vec3d>& points = input.scratch.points;
     findVisiblePoints(input, points);
     if (points.empty()) return Unexpected{FitFailure::NothingInView};
-    const auto frame = frameAround(input, points);
-    if (!frame) return Unexpected{frame.error()};
+    const auto body = frameAround(input, points);
+    if (!body) return Unexpected{body.error()};
 
     const DepthSpan depths = seenDepths(input, viewDepth(input.view, input.originWorld), points);
-    if (const auto line = lineOfSight(input, *frame, depths, points)) {
+    if (const auto line = lineOfSight(input, *body, depths)) {
         const double focus = std::clamp(focusDepth.value_or(std::sqrt(depths.nearest * depths.farthest)),
                                         depths.nearest, depths.farthest);
-        const double delta = placeAlong(*line, *frame, line->at(focus));
+        const double delta = placeAlong(*line, body->frame, line->at(focus));
         const double distance = tsmDistance(line->length, delta);
-        if (delta > 0 && std::isfinite(distance)) return fitAlong(input, *frame, *line, distance, points);
+        if (delta > 0 && std::isfinite(distance)) return fitAlong(input, *body, *line, distance);
     }
-    return fitTightly(*frame, points, RectangleKind::LeastArea, input);
+    return fitTightly(*body, RectangleKind::LeastArea, input);
 }
 
 } // namespace lixel

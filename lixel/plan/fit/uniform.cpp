@@ -38,9 +38,9 @@ FitResult fitUniform(const FitInput& input)
         findReachedPoints(input, points);
     }
     if (points.empty()) return Unexpected{FitFailure::NothingInView};
-    const auto frame = frameAround(input, points);
-    if (!frame) return Unexpected{frame.error()};
-    return fitTightly(*frame, points, RectangleKind::Upright, input);
+    const auto body = frameAround(input, points);
+    if (!body) return Unexpected{body.error()};
+    return fitTightly(*body, RectangleKind::Upright, input);
 }
 
 } // namespace lixel

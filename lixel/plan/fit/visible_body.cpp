@@ -100,7 +100,11 @@ void appendClippedBox(const Box& box, std::span<const Plane> planes, std::vector
     }
     ConvexBody body = bodyOf(box);
     for (std::size_t i = 0; i < cuts && !body.isEmpty(); ++i) clip(body, *cutting[i]);
-    for (const auto& face : body.faces) points.insert(points.end(), face.begin(), face.end());
+    // Faces that meet at a corner have the very same one.
+    const auto first = std::ptrdiff_t(points.size());
+    for (const auto& face : body.faces)
+        for (const Vec3d& p : face)
+            if (std::find(points.begin() + first, points.end(), p) == points.end()) points.push_back(p);
 }
 
 void findVisiblePoints(const FitInput& input, std::vector<Vec3d>& points)
@@ -118,14 +122,26 @@ void findReachedPoints(const FitInput& input, std::vector<Vec3d>& points)
     findPoints(input, planes, points);
 }
 
-void findCasterPoints(const FitInput& input, const Mat4d& lightClipFromLocal, std::vector<Vec3d>& points)
+double leastOverCasters(const FitInput& input, const Mat4d& lightClipFromLocal, Vec4d function, double most)
 {
     const Vec4d x = lightClipFromLocal.row(0), y = lightClipFromLocal.row(1), z = lightClipFromLocal.row(2),
                 w = lightClipFromLocal.row(3);
     BodyPlanes planes;
     for (const Vec4d& side : {w + x, w - x, w + y, w - y, w - z})
         if (const double size = length(xyz(side)); size > 0) planes.push_back({(1 / size) * xyz(side), side.w / size});
-    findPoints(input, planes, points);
+
+    const Vec3d steps{std::abs(function.x), std::abs(function.y), std::abs(function.z)};
+    std::vector<Vec3d>& points = input.scratch.casterPoints;
+    for (const Box& boxWorld : input.casterBoxesWorld) {
+        if (boxWorld.isEmpty()) continue;
+        // The whole box first: most are above what was found already.
+        const Box box = translated(boxWorld, -input.originWorld);
+        if (dot(function, point(box.centre())) - 0.5 * dot(steps, box.max - box.min) >= most) continue;
+        points.clear();
+        appendClippedBox(box, {planes.data(), planes.size()}, points);
+        for (const Vec3d& p : points) most = std::min(most, dot(function, point(p)));
+    }
+    return most;
 }
 
 ViewDepth viewDepth(const View& view, Vec3d originWorld)

@@ -19,8 +19,9 @@ void findVisiblePoints(const FitInput& input, std::vector<Vec3d>& points);
 // The same without the view: all of the region that the light reaches.
 void findReachedPoints(const FitInput& input, std::vector<Vec3d>& points);
 
-// All that can shadow something in a map: what of the scene lies within its sides and not beyond its far side.
-void findCasterPoints(const FitInput& input, const Mat4d& lightClipFromLocal, std::vector<Vec3d>& points);
+// The least value of a linear function over all that can shadow something in a map: what of the scene lies within its sides and
+// not beyond its far side. Never more than `most`, which it is where nothing is below.
+double leastOverCasters(const FitInput& input, const Mat4d& lightClipFromLocal, Vec4d function, double most);
 
 // Appends the corners of a box cut by the planes. Most boxes are wholly inside or outside, which costs a few products.
 void appendClippedBox(const Box& box, std::span<const Plane> planes, std::vector<Vec3d>& points);
