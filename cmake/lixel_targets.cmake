@@ -15,7 +15,9 @@ endif()
 
 # lixel_run_in_frames(target): what runs within a host's frame is optimised further than the rest, a tenth to a fifth faster.
 function(lixel_run_in_frames target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O3>)
+  if(NOT LIXEL_SANITIZE)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O3>)
+  endif()
 endfunction()
 
 # lixel_library(name PUBLIC libs... PRIVATE libs... BUILD_ONLY libs... PRIVATE_HEADERS patterns...): the static library
