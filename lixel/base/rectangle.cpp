@@ -44,6 +44,40 @@ bool isBetter(const OrientedRectangle& a, const OrientedRectangle& b)
     return dot(a.axis, kPreferredAxis) > dot(b.axis, kPreferredAxis);
 }
 
+Vec2d placeOf(Vec2d p) { return p; }
+Vec2d placeOf(const NumberedPoint& p) { return p.p; }
+
+template <typename Point>
+std::size_t hullOf(std::span<Point> points, std::span<Point> hull)
+{
+    std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+        const Vec2d p = placeOf(a), q = placeOf(b);
+        return p.x < q.x || (p.x == q.x && p.y < q.y);
+    });
+    const auto isSame = [](const Point& a, const Point& b) { return placeOf(a) == placeOf(b); };
+    const auto count = std::size_t(std::unique(points.begin(), points.end(), isSame) - points.begin());
+    if (count < 3) {
+        std::copy_n(points.begin(), count, hull.begin());
+        return count;
+    }
+
+    // Lower chain from left to right, then the upper one back; a corner stays only where the chain turns left.
+    std::size_t size = 0;
+    const auto extend = [&](const Point& point, std::size_t chainStart) {
+        const Vec2d p = placeOf(point);
+        while (size >= chainStart + 2) {
+            const Vec2d last = placeOf(hull[size - 1]);
+            if (cross(last - placeOf(hull[size - 2]), p - last) > 0) break;
+            --size;
+        }
+        hull[size++] = point;
+    };
+    for (std::size_t i = 0; i < count; ++i) extend(points[i], 0);
+    const std::size_t upperStart = size - 1;
+    for (std::size_t i = count - 1; i-- > 0;) extend(points[i], upperStart);
+    return size - 1;
+}
+
 } // namespace
 
 OrientedRectangle rectangleAlong(std::span<const Vec2d> points, Vec2d axis)
@@ -101,24 +135,13 @@ std::size_t convexHull(std::span<Vec2d> points, std::span<Vec2d> hull)
     std::size_t kept = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (!sieve.isInner(points[i])) std::swap(points[kept++], points[i]);
-    points = points.first(kept);
-    std::sort(points.begin(), points.end(), [](Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-    const auto count = std::size_t(std::unique(points.begin(), points.end()) - points.begin());
-    if (count < 3) {
-        std::copy_n(points.begin(), count, hull.begin());
-        return count;
-    }
+    return hullOf(points.first(kept), hull);
+}
 
-    // Lower chain from left to right, then the upper one back; a corner stays only where the chain turns left.
-    std::size_t size = 0;
-    const auto extend = [&](Vec2d p, std::size_t chainStart) {
-        while (size >= chainStart + 2 && cross(hull[size - 1] - hull[size - 2], p - hull[size - 1]) <= 0) --size;
-        hull[size++] = p;
-    };
-    for (std::size_t i = 0; i < count; ++i) extend(points[i], 0);
-    const std::size_t upperStart = size - 1;
-    for (std::size_t i = count - 1; i-- > 0;) extend(points[i], upperStart);
-    return size - 1;
+std::size_t convexHull(std::span<NumberedPoint> points, std::span<NumberedPoint> hull)
+{
+    LX_ASSERT(hull.size() > points.size());
+    return hullOf(points, hull);
 }
 
 OrientedRectangle minimumAreaRectangle(std::span<const Vec2d> hull)

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace lixel {
@@ -13,6 +14,14 @@ namespace lixel {
 // corners to `hull`, which needs room for one more than there are points, and returns how many: fewer than three where the
 // points lie on a line or are one.
 std::size_t convexHull(std::span<Vec2d> points, std::span<Vec2d> hull);
+
+// The same for points that remember who they are.
+struct NumberedPoint
+{
+    Vec2d p;
+    std::uint32_t number = 0;
+};
+std::size_t convexHull(std::span<NumberedPoint> points, std::span<NumberedPoint> hull);
 
 // Tells of most points at once that they are no corners of the hull of all: they lie well inside eight extreme ones (S. Akl,
 // G. Toussaint. A Fast Convex Hull Algorithm. 1978). What it does not call inner may be a corner or not.

@@ -32,6 +32,7 @@ struct FitScratch
     struct OnPlane
     {
         std::vector<Vec2d> points, hull;
+        std::vector<NumberedPoint> numbered, numberedHull;
     };
     std::vector<Vec3d> points, corners, casterPoints, directions;
     OnPlane plane;

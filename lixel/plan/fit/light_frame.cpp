@@ -107,23 +107,31 @@ double nearestCaster(const LightFrame& frame, const OrientedRectangle& rectangle
     return nearest;
 }
 
-// Of the points those that can be corners of their image; all, where some are not before the frame's light.
+// Of the points the corners of their image; all, where some are not before the frame's light.
 void keepCorners(const LightFrame& frame, std::span<const Vec3d> points, FitScratch& scratch)
 {
-    std::vector<Vec2d>& onPlane = scratch.plane.points;
-    onPlane.clear();
+    auto& [onPlane, hull, numbered, numberedHull] = scratch.plane;
+    onPlane.resize(points.size());
     scratch.corners.clear();
-    const Vec4d w = frame.framedFromLocal.row(3);
-    for (const Vec3d& p : points) {
-        if (!(dot(w, point(p)) > 0)) {
-            scratch.corners.assign(points.begin(), points.end());
-            return;
-        }
-        onPlane.push_back(onLightPlane(frame, p));
+    const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
+    double leastW = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec4d p = point(points[i]);
+        const double ofW = dot(w, p), perW = 1 / ofW;
+        onPlane[i] = {perW * dot(x, p), perW * dot(y, p)};
+        leastW = std::min(leastW, ofW);
+    }
+    if (!(leastW > 0)) {
+        scratch.corners.assign(points.begin(), points.end());
+        return;
     }
     const HullSieve sieve(onPlane, kNoLoss); // what a cone cuts lies in line
+    numbered.clear();
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (!sieve.isInner(onPlane[i])) scratch.corners.push_back(points[i]);
+        if (!sieve.isInner(onPlane[i])) numbered.push_back({onPlane[i], std::uint32_t(i)});
+    numberedHull.resize(numbered.size() + 1);
+    const std::size_t corners = convexHull(numbered, numberedHull);
+    for (std::size_t i = 0; i < corners; ++i) scratch.corners.push_back(points[numberedHull[i].number]);
 }
 
 } // namespace
@@ -233,7 +241,7 @@ Expected<FramedBody, FitFailure> frameAround(const FitInput& input, std::span<co
 
 OrientedRectangle rectangleAround(const FramedBody& body, RectangleKind kind, FitScratch& scratch)
 {
-    auto& [onPlane, hull] = scratch.plane;
+    std::vector<Vec2d>&onPlane = scratch.plane.points, &hull = scratch.plane.hull;
     onPlane.clear();
     for (const Vec3d& p : body.corners) onPlane.push_back(onLightPlane(body.frame, p));
     OrientedRectangle rectangle;

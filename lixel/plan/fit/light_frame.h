@@ -33,7 +33,7 @@ struct FramedBody
 {
     LightFrame frame;
     std::span<const Vec3d> points;  // all of it
-    std::span<const Vec3d> corners; // those of them that can be corners of its image; planar maps keep them so
+    std::span<const Vec3d> corners; // those of them that are corners of its image, or may be; planar maps keep them so
 };
 
 // Depth of lights at a point becomes the new w, which is 0 at the light and grows along rays where it is positive at all; that of

@@ -31,28 +31,16 @@ double nearestCasterDepth(const FitInput& input, const FramedBody& body, const V
     return leastOverCasters(input, fitRectangle(body.frame, rectangle, far, far).lightClipFromLocal, function, most);
 }
 
-// The view's perspective, its camera moved back by `shift`, with the tightest cube around what is seen: Local to homogeneous
-// coordinates that are in [-1, +1] there.
-Mat4d virtualClipFromLocal(const FitInput& input, const ViewDepth& depth, double shift, const DepthSpan& depths,
-                           std::span<const Vec3d> visiblePoints)
+// The view's perspective, its camera moved back by `shift`: Local to homogeneous coordinates that are in [-1, +1] for all that
+// is seen. Moved back along the line of sight, where x and y vanish, the camera still has all of it in its picture.
+Mat4d virtualClipFromLocal(const FitInput& input, const ViewDepth& depth, double shift, const DepthSpan& depths)
 {
     const Mat4d clip = clipFromLocal(input.view, input.originWorld);
-    const auto plane = [](Vec3d normal, double offset) { return Vec4d{normal.x, normal.y, normal.z, offset}; };
-    // The rows x and y vanish along the line of sight and keep doing so as the eye moves back along it.
-    Vec4d x = clip.row(0), y = clip.row(1), w = plane(depth.forward, depth.offset + shift);
+    const double perDepth = length(xyz(clip.row(3))); // rows x and y are against the view's own w
+    const Vec4d w{depth.forward.x, depth.forward.y, depth.forward.z, depth.offset + shift};
     const double near = depths.nearest + shift, far = depths.farthest + shift;
     const Vec4d z = (1 / (far - near)) * ((far + near) * w - Vec4d{0, 0, 0, 2 * far * near});
-    for (Vec4d* row : {&x, &y}) {
-        double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (const Vec3d& p : visiblePoints) {
-            const double ratio = dot(*row, point(p)) / dot(w, point(p));
-            low = std::min(low, ratio);
-            high = std::max(high, ratio);
-        }
-        const double half = std::max(0.5 * (high - low), 1e-9 * (std::abs(high) + std::abs(low) + 1e-300));
-        *row = (1 / half) * (*row - 0.5 * (low + high) * w);
-    }
-    return Mat4d::fromRows(x, y, z, w);
+    return Mat4d::fromRows((1 / perDepth) * clip.row(0), (1 / perDepth) * clip.row(1), z, w);
 }
 
 // How the light sees the cube of the virtual view, as a frame on Local space: rows vanish at the light, w is 1 at the
@@ -108,7 +96,7 @@ FitResult fitPsm(const FitInput& input, PsmShift shift)
     if (shift == PsmShift::Casters) back = clearance - nearestCasterDepth(input, *body, depth, clearance);
     // A light within or beside the picture leaves it as the camera moves back.
     for (int i = 0; i < kMostSteps; ++i) {
-        const auto seen = seenByLight(input, virtualClipFromLocal(input, depth, back, depths, points), *body);
+        const auto seen = seenByLight(input, virtualClipFromLocal(input, depth, back, depths), *body);
         if (seen) return fitTightly(*seen, RectangleKind::LeastArea, input);
         back = 2 * back + kFirstStep * depths.farthest;
     }

@@ -9,14 +9,15 @@
 namespace lixel {
 namespace {
 
-// Half-spaces around a spot's cone: eight through the light, touching the cone.
+constexpr std::size_t kConeSides = 8;
+
+// Half-spaces around a spot's cone, last in their list: eight through the light, touching the cone.
 void addCone(const Light& light, Vec3d lightLocal, BodyPlanes& planes)
 {
-    constexpr int kSides = 8;
     const double sine = std::sin(light.coneAngle / 2), cosine = std::cos(light.coneAngle / 2);
     const Vec3d axis = light.directionWorld, u = anyPerpendicular(axis), v = cross(axis, u);
-    for (int i = 0; i < kSides; ++i) {
-        const double a = 2 * std::numbers::pi * i / kSides;
+    for (int i = 0; i < int(kConeSides); ++i) {
+        const double a = 2 * std::numbers::pi * i / double(kConeSides);
         const Vec3d outward = std::cos(a) * u + std::sin(a) * v;
         planes.push_back(planeThrough(lightLocal, sine * axis - cosine * outward));
     }
@@ -50,12 +51,43 @@ void dropPointsAt(Vec3d lightLocal, std::vector<Vec3d>& points)
     std::erase_if(points, [&](Vec3d p) { return squaredDistance(p, lightLocal) <= least * least; });
 }
 
+// Whether a ball around the box lies within a spot's cone: then none of the planes around the cone needs asking.
+class ConeTest
+{
+public:
+    ConeTest(const Light& light, Vec3d originWorld)
+        : lightLocal_(light.positionWorld - originWorld),
+          axis_(light.directionWorld),
+          sine_(std::sin(light.coneAngle / 2)),
+          cosine_(std::cos(light.coneAngle / 2)),
+          isSpot_(light.kind == LightKind::Spot)
+    {
+    }
+    bool holds(const Box& box) const
+    {
+        if (!isSpot_) return false;
+        const Vec3d to = box.centre() - lightLocal_;
+        const double along = dot(to, axis_), aside = std::sqrt(std::max(0.0, dot(to, to) - along * along));
+        const double inside = along * sine_ - aside * cosine_; // distance from the cone's side
+        return inside > 0.5 * length(box.max - box.min);
+    }
+
+private:
+    Vec3d lightLocal_, axis_;
+    double sine_, cosine_;
+    bool isSpot_;
+};
+
 void findPoints(const FitInput& input, const BodyPlanes& planes, std::vector<Vec3d>& points)
 {
     points.clear();
-    for (const Box& boxWorld : input.casterBoxesWorld)
-        if (!boxWorld.isEmpty())
-            appendClippedBox(translated(boxWorld, -input.originWorld), {planes.data(), planes.size()}, points);
+    const ConeTest cone(input.light, input.originWorld);
+    const std::span<const Plane> all{planes.data(), planes.size()};
+    for (const Box& boxWorld : input.casterBoxesWorld) {
+        if (boxWorld.isEmpty()) continue;
+        const Box box = translated(boxWorld, -input.originWorld);
+        appendClippedBox(box, cone.holds(box) ? all.first(all.size() - kConeSides) : all, points);
+    }
     if (input.light.kind != LightKind::Directional) dropPointsAt(input.light.positionWorld - input.originWorld, points);
 }
 
