@@ -16,14 +16,16 @@ namespace {
 
 int printTechniques()
 {
-    fmt::print(
-        "A technique is words joined by +, in any order: at most one partition, fit, store and kernel.\n"
-        "Left out: whole + focused + depths(1) + pcf(1). word:a means word(a), so that a shell needs no quotes.\n\n");
+    fmt::print("A technique is words joined by +, in any order: at most one of each kind, any fit in any partition.\n"
+               "Left out: whole + focused + depths(1) + pcf(1), no else(...); sdsm goes with desired-view. Arguments "
+               "in parentheses may\n"
+               "be left out too. word:a means word(a), so that a shell needs no quotes.\n\n");
     std::string_view kind;
     for (const TechniqueWord& word : techniqueWords()) {
         if (word.kind != kind) fmt::print("{}\n", word.kind);
         kind = word.kind;
-        fmt::print("  {:<15} {}\n", word.form, word.meaning);
+        const bool fits = word.form.size() <= 15;
+        fmt::print("  {:<15}{}{}\n", word.form, fits ? " " : "\n                  ", word.meaning);
         if (!word.paper.empty()) fmt::print("  {:<15} {}\n", "", word.paper);
         fmt::print("  {:<15} lights: {}{}\n", "", word.lights,
                    word.refusals.empty() ? "" : fmt::format("; refuses: {}", word.refusals));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/fit/along_view.h"
 
+#include "lixel/plan/fit/focused.h"
 #include "lixel/plan/fit/lispsm.h"
 #include "lixel/plan/fit/tsm.h"
 #include "plan/ordinary_setups.h"
@@ -67,6 +68,24 @@ TEST(Lispsm, WithItsCentreAtInfinityIsTheParallelMapInTheSameOrientation)
         for (const Vec3d& p : points) {
             EXPECT_NEAR(ndc(far, p).x, ndc(parallel, p).x, 1e-6);
             EXPECT_NEAR(ndc(far, p).y, ndc(parallel, p).y, 1e-6);
+        }
+    });
+}
+
+TEST(Lispsm, WhereLightAndLineOfSightAlignIsFocused)
+{
+    forEachCase(test::kCases, [](Rng& rng) {
+        Start start;
+        start.setup = ordinarySetup(rng);
+        start.setup.light.kind = LightKind::Directional;
+        const Vec3d forward = viewDepth(start.setup.view, start.setup.originWorld).forward;
+        const double aside = rng.chance(0.3) ? 0 : rng.logUniform(1e-12, 1e-4);
+        start.setup.light.directionWorld =
+            normalized((rng.chance(0.5) ? 1.0 : -1.0) * forward + aside * rng.onSphere());
+        const FitResult lispsm = fitLispsm(start.input()), focused = fitFocused(start.input());
+        ASSERT_EQ(lispsm.hasValue(), focused.hasValue());
+        if (lispsm) {
+            EXPECT_EQ(lispsm->lightClipFromLocal, focused->lightClipFromLocal);
         }
     });
 }
