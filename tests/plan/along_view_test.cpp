@@ -149,7 +149,9 @@ TEST(Tsm, TheFocusPointComesToLieAtEightyPercentOfTheMap)
         if (!begin(start, rng)) return;
         const double focus = start.depths.nearest * std::pow(start.depths.farthest / start.depths.nearest, 0.4);
         const double delta = placeAlong(*start.line, start.body->frame, start.line->at(focus));
-        if (!(delta > 0) || !std::isfinite(tsmDistance(start.line->length, delta))) return;
+        const double distance = tsmDistance(start.line->length, delta);
+        // A map of so strong a perspective is narrower than floats resolve, and made wider.
+        if (!(distance > 2e-3 * start.line->length) || !std::isfinite(distance)) return;
         const FitResult fit = fitTsm(start.input(), focus);
         ASSERT_TRUE(fit);
         EXPECT_NEAR(ndc(*fit, start.line->at(focus)).y, -1 + 2 * 0.8, 1e-4);

@@ -7,6 +7,14 @@
 
 namespace lixel {
 
+namespace {
+
+// A surface nearer to the eye than this part of the farthest depth counts as so far away: a perspective made for it would leave no
+// lixels for the rest, and would be made of rounding.
+constexpr double kLeastNearPerFar = 1e-6;
+
+} // namespace
+
 DepthSpan seenDepths(const FitInput& input, const ViewDepth& depth, std::span<const Vec3d> visiblePoints)
 {
     DepthSpan range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -14,6 +22,7 @@ DepthSpan seenDepths(const FitInput& input, const ViewDepth& depth, std::span<co
         range.nearest = std::min(range.nearest, depth.of(p));
         range.farthest = std::max(range.farthest, depth.of(p));
     }
+    if (depth.isPerspective) range.nearest = std::max(range.nearest, kLeastNearPerFar * range.farthest);
     return range;
 }
 

@@ -24,6 +24,9 @@ constexpr double kLeastRelativeHalfSize = 1e-9;
 // thousand times that, so that a map of 512 lixels keeps a receiver within a tenth of a lixel.
 constexpr double kLeastPerRounding = 2e3 * 0x1p-24;
 
+// Nearer to the light than this part of the farthest distance is next to it.
+constexpr double kNextToLight = 1.0 / 64;
+
 // Directions nearer the cone's border than this count as inside: above rounding, far below a lixel.
 constexpr double kConeSlack = 1e-14;
 
@@ -48,33 +51,25 @@ Interval over(Vec4d row, Vec3d centre, Vec3d half)
 }
 
 // How far rounding may move points within a rectangle, along its sides: the terms of their coordinates, counted from its middle.
+// Points next to the light, which no map resolves, do not count.
 Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, std::span<const Vec3d> points)
 {
     const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
     const auto along = [&](Vec2d axis) { return axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w; };
     const Vec4d u = along(rectangle.axis), v = along({-rectangle.axis.y, rectangle.axis.x});
-    const auto size = [](Vec4d r, double reach) {
-        return (std::abs(r.x) + std::abs(r.y) + std::abs(r.z)) * reach + std::abs(r.w);
-    };
-    double farthest = 0, leastW = std::numeric_limits<double>::infinity();
-    for (const Vec3d& p : points) {
-        farthest = std::max(farthest, dot(p, p));
-        leastW = std::min(leastW, dot(w, point(p)));
-    }
-    // As if all that is worst came together; mostly that is little enough.
-    farthest = std::sqrt(farthest);
-    const Vec2d bound{(size(u, farthest) + rectangle.halfSize.x * size(w, farthest)) / leastW,
-                      (size(v, farthest) + rectangle.halfSize.y * size(w, farthest)) / leastW};
-    if (kLeastPerRounding * bound.x < rectangle.halfSize.x && kLeastPerRounding * bound.y < rectangle.halfSize.y)
-        return bound;
+    double mostW = 0;
+    for (const Vec3d& p : points) mostW = std::max(mostW, dot(w, point(p)));
+    const double leastW = frame.isPerspective ? kNextToLight * mostW : 0;
     Vec2d most;
     for (const Vec3d& p : points) {
+        const double ofW = dot(w, point(p));
+        if (ofW < leastW) continue;
         const auto terms = [&p](Vec4d r) {
             return std::abs(r.x * p.x) + std::abs(r.y * p.y) + std::abs(r.z * p.z) + std::abs(r.w);
         };
-        const double perW = 1 / dot(w, point(p)), ofW = terms(w);
-        most.x = std::max(most.x, perW * (terms(u) + std::abs(perW * dot(u, point(p))) * ofW));
-        most.y = std::max(most.y, perW * (terms(v) + std::abs(perW * dot(v, point(p))) * ofW));
+        const double perW = 1 / ofW, termsOfW = terms(w);
+        most.x = std::max(most.x, perW * (terms(u) + std::abs(perW * dot(u, point(p))) * termsOfW));
+        most.y = std::max(most.y, perW * (terms(v) + std::abs(perW * dot(v, point(p))) * termsOfW));
     }
     return most;
 }
