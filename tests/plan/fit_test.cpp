@@ -16,14 +16,9 @@ namespace {
 
 using test::anySetup;
 using test::forEachCase;
+using test::inputOf;
 using test::RandomSetup;
 using test::Rng;
-
-FitInput inputOf(const RandomSetup& setup)
-{
-    static FitScratch scratch;
-    return {setup.view, setup.light, setup.originWorld, setup.boxesWorld, setup.sceneLocal(), scratch};
-}
 
 bool isInView(const RandomSetup& setup, Vec3d pointLocal)
 {

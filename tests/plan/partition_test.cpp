@@ -10,15 +10,10 @@ namespace lixel {
 namespace {
 
 using test::forEachCase;
+using test::inputOf;
 using test::ordinarySetup;
 using test::RandomSetup;
 using test::Rng;
-
-FitInput inputOf(const RandomSetup& setup)
-{
-    static FitScratch scratch;
-    return {setup.view, setup.light, setup.originWorld, setup.boxesWorld, setup.sceneLocal(), scratch};
-}
 
 FramePlan planOf(const RandomSetup& setup, const char* technique)
 {

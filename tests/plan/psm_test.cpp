@@ -11,15 +11,10 @@ namespace lixel {
 namespace {
 
 using test::forEachCase;
+using test::inputOf;
 using test::ordinarySetup;
 using test::RandomSetup;
 using test::Rng;
-
-FitInput inputOf(const RandomSetup& setup)
-{
-    static FitScratch scratch;
-    return {setup.view, setup.light, setup.originWorld, setup.boxesWorld, setup.sceneLocal(), scratch};
-}
 
 // How far two rows are from being multiples of each other, against their lengths.
 double differenceInDirection(Vec4d a, Vec4d b)

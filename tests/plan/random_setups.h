@@ -4,6 +4,7 @@
 #include "lixel/base/box.h"
 #include "lixel/base/light.h"
 #include "lixel/base/view.h"
+#include "lixel/plan/fit/fit.h"
 #include "support/random_cases.h"
 
 #include <vector>
@@ -26,6 +27,13 @@ struct RandomSetup
         return translated(scene, -originWorld);
     }
 };
+
+// What a fit of the whole of it is given; all share one scratch.
+inline FitInput inputOf(const RandomSetup& setup)
+{
+    static FitScratch scratch;
+    return {setup.view, setup.light, setup.originWorld, setup.boxesWorld, setup.sceneLocal(), scratch};
+}
 
 inline Light anyLight(Rng& rng, Vec3d centre, double radius)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/fit/light_frame.h"
 
+#include "lixel/plan/fit/visible_body.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -232,6 +234,14 @@ Expected<FramedBody, FitFailure> frameAround(const FitInput& input, std::span<co
     const DirectionCone cone = coneAround(scratch.corners, lightLocal, scratch.directions);
     if (cone.cosHalfAngle < kLeastCosHalfAngle) return Unexpected{FitFailure::ExtentNotInHemisphere};
     return FramedBody{lightFrame(input.light, input.originWorld, cone.axis), points, scratch.corners};
+}
+
+Expected<FramedBody, FitFailure> visibleBody(const FitInput& input)
+{
+    if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
+    findVisiblePoints(input, input.scratch.points);
+    if (input.scratch.points.empty()) return Unexpected{FitFailure::NothingInView};
+    return frameAround(input, input.scratch.points);
 }
 
 OrientedRectangle rectangleAround(const FramedBody& body, RectangleKind kind, FitScratch& scratch)

@@ -66,6 +66,10 @@ inline constexpr double kLeastCosHalfAngle = 0.02;
 // direction). Corners are kept in the input's scratch. Refuses ExtentNotInHemisphere. Needs a point.
 Expected<FramedBody, FitFailure> frameAround(const FitInput& input, std::span<const Vec3d> points);
 
+// The visible points of the region (visible_body.h) so framed: what most fits start from. Refuses EmptyScene, NothingInView and
+// ExtentNotInHemisphere.
+Expected<FramedBody, FitFailure> visibleBody(const FitInput& input);
+
 enum class RectangleKind {
     Upright, // sides along the frame's x and y
     LeastArea

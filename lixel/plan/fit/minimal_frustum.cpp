@@ -8,11 +8,7 @@ namespace lixel {
 
 FitResult fitMinimalFrustum(const FitInput& input)
 {
-    if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
-    std::vector<Vec3d>& points = input.scratch.points;
-    findVisiblePoints(input, points);
-    if (points.empty()) return Unexpected{FitFailure::NothingInView};
-    const auto body = frameAround(input, points);
+    const auto body = visibleBody(input);
     if (!body) return Unexpected{body.error()};
     const OrientedRectangle rectangle = rectangleAround(*body, RectangleKind::LeastArea, input.scratch);
     const double far = farthestDepth(*body);

@@ -80,14 +80,10 @@ std::optional<FramedBody> seenByLight(const FitInput& input, const Mat4d& virtua
 
 FitResult fitPsm(const FitInput& input, PsmShift shift)
 {
-    if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
-    std::vector<Vec3d>& points = input.scratch.points;
-    findVisiblePoints(input, points);
-    if (points.empty()) return Unexpected{FitFailure::NothingInView};
-    const auto body = frameAround(input, points);
+    const auto body = visibleBody(input);
     if (!body) return Unexpected{body.error()};
     const ViewDepth depth = viewDepth(input.view, input.originWorld);
-    const DepthSpan depths = seenDepths(input, depth, points);
+    const DepthSpan depths = seenDepths(input, depth, body->points);
     if (!depth.isPerspective || !(depths.nearest > 0) || !(depths.farthest > depths.nearest))
         return fitTightly(*body, RectangleKind::LeastArea, input);
 

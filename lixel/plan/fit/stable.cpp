@@ -101,6 +101,9 @@ Vec3d snappedDirection(Vec3d d)
 
 FitResult fitStable(const FitInput& input)
 {
+    if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
+    findVisiblePoints(input, input.scratch.points);
+    if (input.scratch.points.empty()) return Unexpected{FitFailure::NothingInView};
     if (input.light.kind != LightKind::Directional) return fitUniform(input);
     const auto sphere = sphereAround(input);
     if (!sphere || !std::isfinite(sphere->radius) || sphere->radius >= 0.5 * input.sceneLocal.diagonal()) {

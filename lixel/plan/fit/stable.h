@@ -12,7 +12,7 @@ namespace lixel {
 //
 //   M. Valient. Stable Rendering of Cascaded Shadow Maps. ShaderX 6, 2008.
 //
-//   Refuses  as uniform
+//   Refuses  as uniform; NothingInView
 FitResult fitStable(const FitInput& input);
 
 // For fits whose perspective follows the camera: the fit of a held view, which stays as it is while the camera moves within a

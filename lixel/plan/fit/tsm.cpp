@@ -23,14 +23,10 @@ double tsmDistance(double lambda, double delta)
 
 FitResult fitTsm(const FitInput& input, std::optional<double> focusDepth)
 {
-    if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
-    std::vector<Vec3d>& points = input.scratch.points;
-    findVisiblePoints(input, points);
-    if (points.empty()) return Unexpected{FitFailure::NothingInView};
-    const auto body = frameAround(input, points);
+    const auto body = visibleBody(input);
     if (!body) return Unexpected{body.error()};
 
-    const DepthSpan depths = seenDepths(input, viewDepth(input.view, input.originWorld), points);
+    const DepthSpan depths = seenDepths(input, viewDepth(input.view, input.originWorld), body->points);
     if (const auto line = lineOfSight(input, *body, depths)) {
         const double focus = std::clamp(focusDepth.value_or(std::sqrt(depths.nearest * depths.farthest)),
                                         depths.nearest, depths.farthest);
