@@ -66,7 +66,7 @@ std::optional<FramedBody> seenByLight(const FitInput& input, const Mat4d& virtua
     seen.frame = {lookAtCube(virtualClip, lightLocal, body.frame.framedFromLocal.row(2)), !isParallel, 1};
     if (!isParallel) seen.frame.framedFromLocal.setRow(2, seen.frame.framedFromLocal.row(3));
     double least = std::numeric_limits<double>::infinity(), most = 0;
-    for (const Vec3d& p : body.points) {
+    for (const Vec3d& p : body.corners) {
         // Against the view's own w, it is how far the light is from the point, in the virtual view's cube.
         const double w = dot(seen.frame.framedFromLocal.row(3), point(p)) / dot(virtualClip.row(3), point(p));
         least = std::min(least, w);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace lixel {
@@ -91,21 +93,39 @@ void findPoints(const FitInput& input, const BodyPlanes& planes, std::vector<Vec
     if (input.light.kind != LightKind::Directional) dropPointsAt(input.light.positionWorld - input.originWorld, points);
 }
 
-// Corners of a box cut by one plane: those inside, and where edges cross it.
-void appendCutBox(const Box& box, const Plane& plane, std::vector<Vec3d>& points)
+// A corner of a box that is being cut, and the planes it lies on: bits 0 to 5 the box's, then those that cut it.
+struct CutCorner
 {
-    const std::array<Vec3d, 8> corners = box.corners();
-    std::array<double, 8> distance;
-    for (std::size_t i = 0; i < 8; ++i) {
-        distance[i] = plane.signedDistance(corners[i]);
-        if (distance[i] >= 0) points.push_back(corners[i]);
+    Vec3d p;
+    std::uint32_t planes = 0;
+};
+
+// A polytope between n planes has 2 n - 4 corners at most.
+using CutCorners = FixedVector<CutCorner, 2 * (6 + BodyPlanes::capacity()) - 4>;
+static_assert(6 + BodyPlanes::capacity() <= 32);
+
+// What a plane leaves: the corners inside, and one on each edge that it crosses. Corners that share two planes share an edge (T.
+// Motzkin et al. The Double Description Method. 1953); a corner in the plane counts as inside, so that in terms of planes no
+// more than three ever meet, whatever rounding makes of places.
+CutCorners cut(const CutCorners& corners, const Plane& plane, std::uint32_t bit)
+{
+    std::array<double, CutCorners::capacity()> distance;
+    CutCorners kept;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        distance[i] = plane.signedDistance(corners[i].p);
+        if (distance[i] >= 0) kept.push_back(corners[i]);
     }
-    for (std::size_t i = 0; i < 8; ++i)
-        for (const std::size_t bit : {1u, 2u, 4u}) {
-            const std::size_t j = i | bit;
-            if (j == i || (distance[i] < 0) == (distance[j] < 0)) continue;
-            points.push_back(corners[i] + (distance[i] / (distance[i] - distance[j])) * (corners[j] - corners[i]));
+    if (kept.size() == corners.size() || kept.empty()) return kept;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (distance[i] < 0) continue;
+        for (std::size_t j = 0; j < corners.size(); ++j) {
+            const std::uint32_t shared = corners[i].planes & corners[j].planes;
+            if (distance[j] >= 0 || std::popcount(shared) < 2) continue;
+            const double share = distance[i] / (distance[i] - distance[j]);
+            kept.push_back({corners[i].p + share * (corners[j].p - corners[i].p), shared | bit});
         }
+    }
+    return kept;
 }
 
 } // namespace
@@ -126,17 +146,12 @@ void appendClippedBox(const Box& box, std::span<const Plane> planes, std::vector
         for (const Vec3d& corner : box.corners()) points.push_back(corner);
         return;
     }
-    if (cuts == 1) {
-        appendCutBox(box, *cutting[0], points);
-        return;
-    }
-    ConvexBody body = bodyOf(box);
-    for (std::size_t i = 0; i < cuts && !body.isEmpty(); ++i) clip(body, *cutting[i]);
-    // Faces that meet at a corner have the very same one.
-    const auto first = std::ptrdiff_t(points.size());
-    for (const auto& face : body.faces)
-        for (const Vec3d& p : face)
-            if (std::find(points.begin() + first, points.end(), p) == points.end()) points.push_back(p);
+    const std::array<Vec3d, 8> boxCorners = box.corners();
+    CutCorners corners;
+    for (std::uint32_t i = 0; i < 8; ++i)
+        corners.push_back({boxCorners[i], (i & 1 ? 2u : 1u) | (i & 2 ? 8u : 4u) | (i & 4 ? 32u : 16u)});
+    for (std::size_t i = 0; i < cuts; ++i) corners = cut(corners, *cutting[i], 64u << i);
+    for (const CutCorner& corner : corners) points.push_back(corner.p);
 }
 
 void findVisiblePoints(const FitInput& input, std::vector<Vec3d>& points)
@@ -163,16 +178,26 @@ double leastOverCasters(const FitInput& input, const Mat4d& lightClipFromLocal, 
         if (const double size = length(xyz(side)); size > 0) planes.push_back({(1 / size) * xyz(side), side.w / size});
 
     const Vec3d steps{std::abs(function.x), std::abs(function.y), std::abs(function.z)};
-    std::vector<Vec3d>& points = input.scratch.casterPoints;
-    for (const Box& boxWorld : input.casterBoxesWorld) {
-        if (boxWorld.isEmpty()) continue;
-        // The whole box first: most are above what was found already.
-        const Box box = translated(boxWorld, -input.originWorld);
-        if (dot(function, point(box.centre())) - 0.5 * dot(steps, box.max - box.min) >= most) continue;
-        points.clear();
-        appendClippedBox(box, {planes.data(), planes.size()}, points);
-        for (const Vec3d& p : points) most = std::min(most, dot(function, point(p)));
+    const auto leastOf = [&](const Box& boxWorld) {
+        return dot(function, point(boxWorld.centre() - input.originWorld)) -
+               0.5 * dot(steps, boxWorld.max - boxWorld.min);
+    };
+    // The box that goes lowest first: after it most others need no cutting.
+    const Box* lowest = nullptr;
+    double bound = most;
+    for (const Box& box : input.casterBoxesWorld) {
+        const double least = box.isEmpty() ? most : leastOf(box);
+        if (least < bound) bound = least, lowest = &box;
     }
+    std::vector<Vec3d>& points = input.scratch.casterPoints;
+    const auto lower = [&](const Box& box) {
+        points.clear();
+        appendClippedBox(translated(box, -input.originWorld), {planes.data(), planes.size()}, points);
+        for (const Vec3d& p : points) most = std::min(most, dot(function, point(p)));
+    };
+    if (lowest) lower(*lowest);
+    for (const Box& box : input.casterBoxesWorld)
+        if (!box.isEmpty() && &box != lowest && leastOf(box) < most) lower(box);
     return most;
 }
 
