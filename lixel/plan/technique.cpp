@@ -264,7 +264,8 @@ Answer takeAllocation(const Word& word, Parts& parts)
 FitChoice fitOr(const Parts& parts)
 {
     if (parts.fit) return *parts.fit;
-    if (parts.partition && std::holds_alternative<SdsmPartition>(*parts.partition)) return DesiredViewFit{};
+    const bool isSdsm = parts.partition && std::holds_alternative<SdsmPartition>(*parts.partition);
+    if (isSdsm && !parts.isStable) return DesiredViewFit{};
     return FocusedFit{};
 }
 
@@ -306,9 +307,7 @@ std::string take(const Word& word, Parts& parts)
 std::string checkTogether(const MapTechnique& map, const Parts& parts)
 {
     const bool isWhole = std::holds_alternative<WholePartition>(map.partition);
-    const bool canBeStable = std::holds_alternative<FocusedFit>(map.fit) ||
-                             std::holds_alternative<LispsmFit>(map.fit) ||
-                             std::holds_alternative<SdsmPartition>(map.partition);
+    const bool canBeStable = std::holds_alternative<FocusedFit>(map.fit) || std::holds_alternative<LispsmFit>(map.fit);
     if (map.isStable && map.allocation == Allocation::Need)
         return "allocation=need follows the view samples: a stable technique takes allocation=share";
     if (map.isStable && !canBeStable) return "stable goes with focused and lispsm";
@@ -346,14 +345,11 @@ std::string nameOfChoice(const std::variant<Choices...>& choice)
     return std::visit([](const auto& c) { return name(c); }, choice);
 }
 
-// `stable` is written with the fit, or with sdsm where the fit does not take it.
+// `stable` is written with the fit.
 std::string name(const MapTechnique& map)
 {
-    std::string partition = nameOfChoice(map.partition), fit = nameOfChoice(map.fit);
-    const bool takesStable = std::holds_alternative<FocusedFit>(map.fit) || std::holds_alternative<LispsmFit>(map.fit);
-    if (map.isStable && takesStable) fit += "(stable)";
-    if (map.isStable && !takesStable) partition.insert(partition.size() - 1, ",stable");
-    std::string text = partition + "+" + fit;
+    const std::string fit = nameOfChoice(map.fit) + (map.isStable ? "(stable)" : "");
+    std::string text = nameOfChoice(map.partition) + "+" + fit;
     if (map.otherwise)
         text += "+else(" + nameOfChoice(map.otherwise->partition) + "+" + nameOfChoice(map.otherwise->fit) + ")";
     if (map.otherwise || !std::holds_alternative<WholePartition>(map.partition))

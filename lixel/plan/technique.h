@@ -15,8 +15,9 @@
 //
 //   word(value, key=value, ...) joined by +, order free; word:a:b means word(a,b)
 //
-// Parts left out take their default: whole + focused + depths(1) + pcf(1); sdsm(n) goes with desired-view. `stable` stands
-// among the arguments of a partition or fit and is the technique's: pssm(4,stable) is pssm(4)+focused(stable).
+// Parts left out take their default: whole + focused + depths(1) + pcf(1); sdsm(n) goes with desired-view, and if
+// stable with focused. `stable` stands among the arguments of a partition or fit and is the technique's: pssm(4,stable) is
+// pssm(4)+focused(stable).
 namespace lixel {
 
 // Partitions.

@@ -29,7 +29,7 @@ TEST(TechniqueText, PartsLeftOutTakeTheirDefaultAndOrderIsFree)
 TEST(TechniqueText, StableIsTheTechniquesWhereverItStands)
 {
     EXPECT_EQ(canonical("pssm(4,stable)"), canonical("pssm(4)+focused(stable)"));
-    EXPECT_EQ(canonical("sdsm(4,stable)"), "sdsm(4,stable)+desired-view+allocation=share+depths(1)+pcf(1)");
+    EXPECT_EQ(canonical("sdsm(4,stable)"), "sdsm(4)+focused(stable)+allocation=share+depths(1)+pcf(1)");
     EXPECT_EQ(canonical("lispsm(stable)"), "whole+lispsm(stable)+depths(1)+pcf(1)");
 }
 
@@ -78,6 +78,7 @@ TEST(TechniqueText, WhatIsWrongIsOneLineThatQuotesIt)
                              "matrix()",
                              "cube(3)",
                              "uniform(stable)",
+                             "sdsm(2,stable)+desired-view",
                              "tsm+focused(stable)",
                              "allocation=need",
                              "pssm(2,stable)+allocation=need",

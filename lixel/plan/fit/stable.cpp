@@ -13,8 +13,8 @@
 namespace lixel {
 namespace {
 
-constexpr double kTurnStep = 1.0 / 32; // radians
-constexpr double kGridPerDiagonal = 1.0 / 256;
+constexpr double kTurnStep = 1.0 / 16; // radians
+constexpr double kGridPerDiagonal = 1.0 / 64;
 constexpr double kAngleGrid = 1.0 / 256; // radians, that the held view's opening is rounded up to
 constexpr double kWidestHeld = 1.5;      // radians of half angle; wider views are held as this
 
