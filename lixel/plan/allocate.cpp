@@ -68,13 +68,16 @@ bool cutRectangle(LixelRectangle whole, std::span<const double> shares, std::spa
 
     const bool acrossX = whole.width() >= whole.height();
     const int length = acrossX ? whole.width() : whole.height(), breadth = acrossX ? whole.height() : whole.width();
-    // Each part keeps room for its pieces.
+    // Each part keeps room for its pieces; where lixels are so few that it cannot, pieces go to the other part.
     const auto slabs = [breadth](std::size_t count) {
         return int((count + std::size_t(breadth) - 1) / std::size_t(breadth));
     };
-    const int least = slabs(first), most = length - slabs(shares.size() - first);
+    const auto count = int(shares.size());
+    const int least = std::min(slabs(first), length - 1), most = length - slabs(shares.size() - first);
     const double share = total > 0 ? before / total : 0.5;
     const int at = std::clamp(int(std::lround(share * length)), least, std::max(least, most));
+    const double room = double(at) * breadth, roomOfOther = double(length - at) * breadth;
+    first = std::size_t(std::clamp(double(first), count - roomOfOther, room));
     LixelRectangle one = whole, other = whole;
     if (acrossX) one.x1 = other.x0 = whole.x0 + at;
     else one.y1 = other.y0 = whole.y0 + at;

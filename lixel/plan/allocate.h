@@ -24,8 +24,8 @@ struct LixelSize
 double needOf(const Fit& fit, const View& view, Vec3d originWorld, std::span<const Vec3d> seenLocal,
               std::span<const Vec3d> seenNormal);
 
-// The shares, adding up to 1, that make the sum of need / sqrt(share) least: they go with need^(2/3). No share is less than a
-// 32nd of an even one. Equal shares where no need is known. In place: needs in, shares out.
+// The shares, adding up to 1, that make the sum of need / sqrt(share) least: they go with need^(2/3). No share is much less
+// than a 32nd of an even one. Equal shares where no need is known. In place: needs in, shares out.
 void sharesByNeed(std::span<double> needs);
 
 // Cuts a rectangle into pieces of about the given shares: in halves of the shares, across the longer side, again and again, so

@@ -26,17 +26,15 @@ bool overlap(const LixelRectangle& a, const LixelRectangle& b)
 TEST(CutRectangle, PiecesFillTheWholeWithoutOverlapAndHaveAboutTheirShares)
 {
     forEachCase(test::kCases, [](Rng& rng) {
-        const LixelRectangle whole{3, 5, 3 + rng.integer(1, 2000), 5 + rng.integer(1, 2000), 1};
+        const int most = rng.chance(0.5) ? 2000 : 7;
+        const LixelRectangle whole{3, 5, 3 + rng.integer(1, most), 5 + rng.integer(1, most), 1};
         std::vector<double> shares(std::size_t(rng.integer(1, 32)));
         for (double& share : shares) share = rng.uniform(0.05, 1);
         const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
         std::vector<LixelRectangle> pieces(shares.size());
         const bool hasRoom = areaOf(whole) >= std::int64_t(shares.size());
         const bool isCut = cutRectangle(whole, shares, pieces);
-        EXPECT_LE(isCut, hasRoom);
-        if (whole.width() >= 32 && whole.height() >= 32) {
-            EXPECT_TRUE(isCut);
-        }
+        EXPECT_EQ(isCut, hasRoom);
         if (!isCut) return;
         std::int64_t filled = 0;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
