@@ -33,13 +33,12 @@ Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout&
         clip.setRow(1, -1.0 * x); // a turn, not a mirror
     }
     const double reach = lookup.reach + (fit.snapsToWorld ? 0.5 : 0.0);
-    const auto shrink = [reach](int lixels) { return std::max(1 - 2 * reach / lixels, 1.0 / lixels); };
+    // Where there is no room for the reach, half a lixel is left: rounding and moving to the grid lose no one.
+    const auto shrink = [reach](int lixels) { return std::max(1 - 2 * reach / lixels, 0.5 / lixels); };
     clip.setRow(0, shrink(rectangle.width()) * clip.row(0));
     clip.setRow(1, shrink(rectangle.height()) * clip.row(1));
-    if (fit.snapsToWorld) {
-        snapRow(clip, 0, rectangle.width(), originWorld);
-        snapRow(clip, 1, rectangle.height(), originWorld);
-    }
+    if (fit.snapsToWorld && rectangle.width() > 1) snapRow(clip, 0, rectangle.width(), originWorld);
+    if (fit.snapsToWorld && rectangle.height() > 1) snapRow(clip, 1, rectangle.height(), originWorld);
     return clip;
 }
 

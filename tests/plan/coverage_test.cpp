@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Coverage: every receiver that faces the light lies, with the lookup's whole reach, inside the map of the region that serves it,
 // and whatever may shadow it projects to the same place; or the plan refuses by name.
-#include "lixel/plan/shadow_plan.h"
-#include "lixel/shared/lookup.h"
 #include "plan/ordinary_setups.h"
-#include "plan/random_setups.h"
+#include "plan/receivers.h"
 
 #include <gtest/gtest.h>
 
@@ -17,55 +15,7 @@ namespace {
 using test::forEachCase;
 using test::RandomSetup;
 using test::Rng;
-
-bool isInView(const RandomSetup& setup, Vec3d pointLocal)
-{
-    const Vec4d c = clipFromLocal(setup.view, setup.originWorld) * point(pointLocal);
-    return c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && std::abs(c.z) <= c.w;
-}
-
-// Points of the boxes that are in view, with normals towards the light.
-ViewSamples anySamples(const RandomSetup& setup, Rng& rng)
-{
-    ViewSamples samples;
-    samples.width = setup.view.width;
-    samples.height = setup.view.height;
-    samples.originWorld = setup.originWorld;
-    for (int i = 0; i < 400 && samples.size() < 40; ++i) {
-        const Box& box = setup.boxesWorld[std::size_t(rng.integer(0, int(setup.boxesWorld.size()) - 1))];
-        const Vec3d exact = Vec3d{rng.uniform(box.min.x, box.max.x), rng.uniform(box.min.y, box.max.y),
-                                  rng.uniform(box.min.z, box.max.z)} -
-                            setup.originWorld;
-        const Vec3f p{float(exact.x), float(exact.y), float(exact.z)};
-        if (!isInView(setup, toDouble(p))) continue;
-        const Vec3d n = towardsLight(setup.light, setup.originWorld, toDouble(p));
-        if (!isLightFacing(setup.light, setup.originWorld, toDouble(p), n)) continue;
-        const Vec3d pixel = pixelFromLocal(setup.view, setup.originWorld, toDouble(p));
-        samples.pixel.push_back({float(pixel.x), float(pixel.y)});
-        samples.positionLocal.push_back(p);
-        samples.normal.push_back({float(n.x), float(n.y), float(n.z)});
-        samples.triangle.push_back(kNoTriangle);
-    }
-    return samples;
-}
-
-shared::vec3 toShared(Vec3f a) { return {a.x, a.y, a.z}; }
-
-// The region that serves a sample, by the very functions that executors use; nothing where none does.
-const PlannedRegion* serving(const FramePlan& plan, Vec3f positionLocal, Vec3f normal, shared::LxReceiver& receiver)
-{
-    for (std::size_t r = 0; r < plan.regionTable.size(); ++r) {
-        const shared::ShadowRegion& region = plan.regionTable[r];
-        bool isHeld = true;
-        for (int i = 0; i < int(region.place.z); ++i)
-            isHeld = isHeld && shared::lxHolds(plan.halfSpaceTable[std::size_t(region.place.y) + std::size_t(i)],
-                                               toShared(positionLocal));
-        if (!isHeld) continue;
-        receiver = shared::lxReceive(region, toShared(positionLocal), toShared(normal));
-        if (receiver.isInside != 0) return &plan.lights[0].regions[r];
-    }
-    return nullptr;
-}
+using test::serving;
 
 struct Tally
 {
@@ -82,7 +32,7 @@ struct Tally
 
 void expectCovers(const RandomSetup& setup, const char* technique, Tally& tally, Rng& rng)
 {
-    const ViewSamples samples = anySamples(setup, rng);
+    const ViewSamples samples = test::anySamples(setup, rng);
     if (samples.size() == 0) return; // nothing is asked
     PlanInput input{setup.view,
                     {&setup.light, 1},
@@ -100,7 +50,7 @@ void expectCovers(const RandomSetup& setup, const char* technique, Tally& tally,
     EXPECT_LE(plan.lixelsOf(0), 512 * 384);
     const double reach = plan.lookup.reach - 0.1; // rounding of a map as narrow as fits make them (kLeastPerRounding)
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        shared::LxReceiver receiver;
+        shared::LxReceiver receiver{};
         const PlannedRegion* region = serving(plan, samples.positionLocal[i], samples.normal[i], receiver);
         ASSERT_NE(region, nullptr) << technique << ": unserved";
         const LixelRectangle& r = region->rectangle;

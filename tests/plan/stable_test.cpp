@@ -81,12 +81,13 @@ TEST(HeldView, HoldsEveryViewThatItStandsFor)
     forEachCase(test::kCases, [](Rng& rng) {
         const Vec3d eye = rng.inBox(10);
         const View view = viewFrom(eye, rng.uniform(0, 6), rng.uniform(-1.2, 1.2));
-        const View held = heldView(view, rng.logUniform(1e-3, 0.5));
+        const auto held = heldView(view, rng.logUniform(1e-3, 0.5));
+        ASSERT_TRUE(held);
         const auto worldFromClip = inverse(clipFromWorld(view));
         ASSERT_TRUE(worldFromClip);
         for (int i = 0; i < 8; ++i) {
             const Vec4d corner = *worldFromClip * Vec4d{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0, 1};
-            const Vec4d c = clipFromWorld(held) * point(xyz(corner) / corner.w);
+            const Vec4d c = clipFromWorld(*held) * point(xyz(corner) / corner.w);
             EXPECT_GT(c.w, 0);
             EXPECT_LE(std::max(std::abs(c.x), std::abs(c.y)), c.w * (1 + 1e-9));
             EXPECT_GE(c.z, -c.w);
@@ -96,9 +97,10 @@ TEST(HeldView, HoldsEveryViewThatItStandsFor)
 
 TEST(HeldView, DoesNotChangeWithinAStep)
 {
-    const View one = heldView(viewFrom({10.001, 1.7, 3.002}, 1.0, 0.1), 0.5),
+    const auto one = heldView(viewFrom({10.001, 1.7, 3.002}, 1.0, 0.1), 0.5),
                two = heldView(viewFrom({10.1, 1.71, 3.05}, 1.002, 0.101), 0.5);
-    EXPECT_EQ(clipFromWorld(one), clipFromWorld(two));
+    ASSERT_TRUE(one && two);
+    EXPECT_EQ(clipFromWorld(*one), clipFromWorld(*two));
 }
 
 } // namespace

@@ -13,6 +13,9 @@ namespace {
 // lixels for the rest, and would be made of rounding.
 constexpr double kLeastNearPerFar = 1e-6;
 
+// A line of sight whose image is so short against the body's runs along the light but for rounding.
+constexpr double kLeastOfBody = 1e-9;
+
 } // namespace
 
 DepthSpan seenDepths(const FitInput& input, const ViewDepth& depth, std::span<const Vec3d> visiblePoints)
@@ -54,9 +57,10 @@ std::optional<LineOfSight> lineOfSight(const FitInput& input, const FramedBody& 
         last = std::max(last, t);
     }
     line.length = last - line.first;
+    if (!(size > kLeastOfBody * line.length)) return std::nullopt;
     const Vec3d middle = line.at(std::sqrt(depths.nearest * depths.farthest));
-    const double cosine = dot(normalized(line.perDepth), towardsLight(input.light, input.originWorld, middle));
-    line.sineSquared = 1 - cosine * cosine;
+    const Vec3d turn = cross(normalized(line.perDepth), towardsLight(input.light, input.originWorld, middle));
+    line.sineSquared = dot(turn, turn);
     return line;
 }
 

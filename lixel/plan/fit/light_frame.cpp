@@ -23,8 +23,11 @@ constexpr double kLeastRelativeW = 1e-6;
 constexpr double kLeastRelativeHalfSize = 1e-9;
 
 // Floats of Local positions and of the map's rows round by this part of their terms: a rectangle is not smaller than some two
-// thousand times that, so that a map of 512 lixels keeps a receiver within a tenth of a lixel.
+// thousand times that, so that a map of 512 lixels keeps a receiver within a tenth of a lixel. Nor are its depths.
 constexpr double kLeastPerRounding = 2e3 * 0x1p-24;
+
+// Of a scene that is one point, at the very origin.
+constexpr double kLeastRoom = 1e-12;
 
 // Nearer to the light than this part of the farthest distance is next to it.
 constexpr double kNextToLight = 1.0 / 64;
@@ -35,8 +38,12 @@ constexpr double kConeSlack = 1e-14;
 // A direction outside by more than this is lost, rather than rounded.
 constexpr double kLostFromCone = 1e-7;
 
-// So far, against the whole, corners may be left out beside a line between others: far below the border.
-constexpr double kNoLoss = 1e-9;
+// A frame whose light sees points farther aside than this tangent is not used to tell corners.
+constexpr double kMostBeside = 30;
+
+// So far, against the whole, corners may be left out beside a line between others: below a rectangle's least half size, which
+// every rectangle has as room.
+constexpr double kNoLoss = 1e-10;
 
 // A little room so that receivers on the very border stay inside after rounding to float.
 constexpr double kBorder = 1 + 1e-6;
@@ -76,6 +83,17 @@ Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, st
     return most;
 }
 
+// Depths from the far side span this much at least, for the terms that they are made of.
+double leastDepthSpan(const LightFrame& frame, double farDepth, const Box& sceneLocal)
+{
+    const Vec4d depth = frame.framedFromLocal.row(2);
+    const auto farthest = [](double low, double high) { return std::max(std::abs(low), std::abs(high)); };
+    return kLeastPerRounding *
+           (std::abs(depth.x) * farthest(sceneLocal.min.x, sceneLocal.max.x) +
+            std::abs(depth.y) * farthest(sceneLocal.min.y, sceneLocal.max.y) +
+            std::abs(depth.z) * farthest(sceneLocal.min.z, sceneLocal.max.z) + std::abs(farDepth - depth.w));
+}
+
 // The nearest depth of all boxes that reach into the pyramid (prism) of the rectangle; one that only touches is included.
 double nearestCaster(const LightFrame& frame, const OrientedRectangle& rectangle, const FitInput& input)
 {
@@ -104,21 +122,22 @@ double nearestCaster(const LightFrame& frame, const OrientedRectangle& rectangle
     return nearest;
 }
 
-// Of the points the corners of their image; all, where some are not before the frame's light.
+// Of the points the corners of their image; all, where some are beside the frame's light or behind it: the image of a
+// point beside it lies far away, and against that everything else is small.
 void keepCorners(const LightFrame& frame, std::span<const Vec3d> points, FitScratch& scratch)
 {
     auto& [onPlane, hull, numbered, numberedHull] = scratch.plane;
     onPlane.resize(points.size());
     scratch.corners.clear();
     const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
-    double leastW = std::numeric_limits<double>::infinity();
+    bool areBefore = true;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec4d p = point(points[i]);
-        const double ofW = dot(w, p), perW = 1 / ofW;
-        onPlane[i] = {perW * dot(x, p), perW * dot(y, p)};
-        leastW = std::min(leastW, ofW);
+        const double ofX = dot(x, p), ofY = dot(y, p), ofW = dot(w, p), perW = 1 / ofW;
+        onPlane[i] = {perW * ofX, perW * ofY};
+        areBefore &= !frame.isPerspective || std::max(std::abs(ofX), std::abs(ofY)) < kMostBeside * ofW;
     }
-    if (!(leastW > 0)) {
+    if (!areBefore) {
         scratch.corners.assign(points.begin(), points.end());
         return;
     }
@@ -277,19 +296,21 @@ Fit fitTightly(const FramedBody& body, RectangleKind kind, const FitInput& input
 
 Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double farDepth, const FitInput& input)
 {
-    return fitRectangle(frame, rectangle, nearestCaster(frame, rectangle, input), farDepth);
+    return fitRectangle(frame, rectangle, nearestCaster(frame, rectangle, input), farDepth, input);
 }
 
-Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double nearDepth, double farDepth)
+Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double nearDepth, double farDepth,
+                 const FitInput& input)
 {
     const double scale = length(rectangle.centre) + length(rectangle.halfSize);
     const double least = scale > 0 ? kLeastRelativeHalfSize * scale : kLeastRelativeHalfSize;
-    rectangle.halfSize = {std::max(rectangle.halfSize.x * kBorder, least),
-                          std::max(rectangle.halfSize.y * kBorder, least)};
+    rectangle.halfSize = kBorder * rectangle.halfSize + Vec2d{least, least};
 
     double near = std::min(nearDepth, farDepth);
     if (frame.isPerspective) near = std::max(near, kLeastNearPerFar * farDepth);
-    const double room = std::max(1e-6 * (farDepth - near), 1e-9 * (std::abs(farDepth) + std::abs(near)));
+    const double span = farDepth - near;
+    const double room = std::max({1e-6 * span, 1e-9 * (std::abs(farDepth) + std::abs(near)),
+                                  leastDepthSpan(frame, farDepth, input.sceneLocal) - span, kLeastRoom});
     near -= frame.isPerspective ? std::min(room, 0.5 * near) : room;
     const double far = farDepth + room;
 

@@ -88,7 +88,9 @@ Fit fitTightly(const FramedBody& body, RectangleKind kind, const FitInput& input
 // not nearer than 1e-4 of the far depth for perspective; far: the given depth.
 Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double farDepth, const FitInput& input);
 
-// As above with the nearest depth of casters known.
-Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double nearDepth, double farDepth);
+// As above with the nearest depth of casters known. Depths that are all but one, as those of a floor right across the light, get
+// a span that floats resolve.
+Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double nearDepth, double farDepth,
+                 const FitInput& input);
 
 } // namespace lixel

@@ -14,9 +14,9 @@ FitResult fitMinimalFrustum(const FitInput& input)
     const double far = farthestDepth(*body);
 
     // What is left of the boxes between the light and the farthest receiver, within the rectangle, has the near depth.
-    const Mat4d roughly = fitRectangle(body->frame, rectangle, far, far).lightClipFromLocal;
+    const Mat4d roughly = fitRectangle(body->frame, rectangle, far, far, input).lightClipFromLocal;
     const double near = leastOverCasters(input, roughly, body->frame.framedFromLocal.row(2), far);
-    return fitRectangle(body->frame, rectangle, near, far);
+    return fitRectangle(body->frame, rectangle, near, far, input);
 }
 
 } // namespace lixel

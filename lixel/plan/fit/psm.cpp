@@ -12,6 +12,9 @@
 namespace lixel {
 namespace {
 
+// Depths that span less of the farthest are one but for rounding.
+constexpr double kLeastSpan = 1e-9;
+
 // How near, along its axis, the light may come to what is seen in the virtual view's cube, against its distance from the farthest.
 constexpr double kLeastRelativeDistance = 0.02;
 
@@ -28,7 +31,8 @@ double nearestCasterDepth(const FitInput& input, const FramedBody& body, const V
     const OrientedRectangle rectangle = rectangleAround(body, RectangleKind::LeastArea, input.scratch);
     const double far = farthestDepth(body);
     const Vec4d function{depth.forward.x, depth.forward.y, depth.forward.z, depth.offset};
-    return leastOverCasters(input, fitRectangle(body.frame, rectangle, far, far).lightClipFromLocal, function, most);
+    return leastOverCasters(input, fitRectangle(body.frame, rectangle, far, far, input).lightClipFromLocal, function,
+                            most);
 }
 
 // The view's perspective, its camera moved back by `shift`: Local to homogeneous coordinates that are in [-1, +1] for all that
@@ -84,7 +88,7 @@ FitResult fitPsm(const FitInput& input, PsmShift shift)
     if (!body) return Unexpected{body.error()};
     const ViewDepth depth = viewDepth(input.view, input.originWorld);
     const DepthSpan depths = seenDepths(input, depth, body->points);
-    if (!depth.isPerspective || !(depths.nearest > 0) || !(depths.farthest > depths.nearest))
+    if (!depth.isPerspective || !(depths.farthest - depths.nearest > kLeastSpan * depths.farthest))
         return fitTightly(*body, RectangleKind::LeastArea, input);
 
     const double clearance = kLeastClearance * depths.farthest;

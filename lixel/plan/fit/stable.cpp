@@ -16,7 +16,7 @@ namespace {
 constexpr double kTurnStep = 1.0 / 16; // radians
 constexpr double kGridPerDiagonal = 1.0 / 64;
 constexpr double kAngleGrid = 1.0 / 256; // radians, that the held view's opening is rounded up to
-constexpr double kWidestHeld = 1.5;      // radians of half angle; wider views are held as this
+constexpr double kWidestHeld = 1.5;      // radians of half angle
 
 struct Sphere
 {
@@ -36,6 +36,20 @@ std::array<Vec3d, 4> cornersAt(const Mat4d& localFromClip, const ViewDepth& dept
         corners[std::size_t(i)] = from + ((at - d0) / (d1 - d0)) * (to - from);
     }
     return corners;
+}
+
+// The least depth on the near side and the greatest on the far side: of oblique ones, at a corner.
+DepthSpan betweenSides(const Mat4d& localFromClip, const ViewDepth& depth)
+{
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    DepthSpan span{kInfinity, -kInfinity};
+    for (int i = 0; i < 4; ++i) {
+        const double x = i & 1 ? 1 : -1, y = i & 2 ? 1 : -1;
+        const Vec4d near = localFromClip * Vec4d{x, y, -1, 1}, far = localFromClip * Vec4d{x, y, 1, 1};
+        span.nearest = std::min(span.nearest, depth.of(xyz(near) / near.w));
+        span.farthest = std::max(span.farthest, far.w > 0 ? depth.of(xyz(far) / far.w) : kInfinity);
+    }
+    return span;
 }
 
 double distanceTo(const Box& box, Vec3d p)
@@ -118,8 +132,8 @@ FitResult fitStable(const FitInput& input)
         near = std::min(near, depth);
         far = std::max(far, depth);
     }
-    Fit fit =
-        fitRectangle(frame, {onLightPlane(frame, sphere->centre), {1, 0}, {sphere->radius, sphere->radius}}, near, far);
+    Fit fit = fitRectangle(frame, {onLightPlane(frame, sphere->centre), {1, 0}, {sphere->radius, sphere->radius}}, near,
+                           far, input);
     fit.snapsToWorld = true;
     return fit;
 }
@@ -129,42 +143,43 @@ DepthSpan stableDepths(const FitInput& input)
     const ViewDepth depth = viewDepth(input.view, input.originWorld);
     const auto localFromClip = inverse(clipFromLocal(input.view, input.originWorld));
     if (!localFromClip) return {0, input.sceneLocal.diagonal()};
-    const Vec4d near = *localFromClip * Vec4d{0, 0, -1, 1}, far = *localFromClip * Vec4d{0, 0, 1, 1};
+    const Vec4d near = *localFromClip * Vec4d{0, 0, -1, 1};
     const Vec3d nearLocal = xyz(near) / near.w;
     // A camera over flat ground is just outside the scene's box; that is no distance yet.
     const double diagonal = input.sceneLocal.diagonal(), away = distanceTo(input.sceneLocal, nearLocal) - diagonal / 8;
-    DepthSpan range{depth.of(nearLocal), depth.of(nearLocal) + 1.125 * diagonal};
+    const DepthSpan sides = betweenSides(*localFromClip, depth);
+    DepthSpan range{sides.nearest, depth.of(nearLocal) + 1.125 * diagonal};
     if (away > 0) range.farthest += std::exp2(0.5 * std::ceil(2 * std::log2(away)));
-    if (far.w > 0) range.farthest = std::min(range.farthest, depth.of(xyz(far) / far.w));
-    return range;
+    return {range.nearest, std::min(range.farthest, sides.farthest)};
 }
 
-View heldView(const View& view, double gridStep)
+std::optional<View> heldView(const View& view, double gridStep)
 {
     const ViewDepth depth = viewDepth(view, view.anchorWorld);
     const auto anchoredFromClip = inverse(view.clipFromAnchored);
-    if (!depth.isPerspective || !anchoredFromClip) return view;
+    if (!depth.isPerspective || !anchoredFromClip || !(gridStep > 0)) return std::nullopt;
 
     // The cone around the picture's corners, wider by the turn, from an eye so far back that a step aside stays inside.
     const Vec3d eye = xyz(view.eyeAnchored), forward = snappedDirection(depth.forward);
     double cosine = 1;
     for (const Vec3d& corner : cornersAt(*anchoredFromClip, depth, 1))
         cosine = std::min(cosine, dot(normalized(corner - eye), depth.forward));
-    const double half = std::min(kAngleGrid * std::ceil(std::acos(cosine) / kAngleGrid) + kTurnStep, kWidestHeld);
+    const double half = kAngleGrid * std::ceil(std::acos(cosine) / kAngleGrid) + kTurnStep;
+    if (half > kWidestHeld) return std::nullopt;
     const Vec3d held = snapped(view.anchorWorld + eye, gridStep) - (gridStep / std::sin(half)) * forward;
     const Vec3d up = std::abs(forward.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
-    const Vec4d nearPoint = *anchoredFromClip * Vec4d{0, 0, -1, 1};
     // Half of the near depth: a corner of the near side lies less deep for a camera that looks a step aside.
-    const double near =
-        std::exp2(std::floor(std::log2(std::max(depth.of(xyz(nearPoint) / nearPoint.w), 1e-3 * gridStep))) - 1);
+    const double nearest = std::max(betweenSides(*anchoredFromClip, depth).nearest, 1e-3 * gridStep);
+    const double near = std::exp2(std::floor(std::log2(nearest)) - 1);
     return perspectiveView(held, held + forward, up, 2 * half, near, std::numeric_limits<double>::infinity(),
                            view.height, view.height);
 }
 
 FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&))
 {
-    const View view = heldView(input.view, kGridPerDiagonal * input.sceneLocal.diagonal());
-    FitInput held{view,          input.light,    input.originWorld, input.casterBoxesWorld, input.sceneLocal,
+    const auto view = heldView(input.view, kGridPerDiagonal * input.sceneLocal.diagonal());
+    if (!view) return fitStable(input);
+    FitInput held{*view,         input.light,    input.originWorld, input.casterBoxesWorld, input.sceneLocal,
                   input.scratch, input.cellLocal};
     findVisiblePoints(held, held.scratch.points);
     if (held.scratch.points.empty()) return Unexpected{FitFailure::NothingInView};

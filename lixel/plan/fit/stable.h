@@ -3,6 +3,8 @@
 
 #include "lixel/plan/fit/visible_body.h"
 
+#include <optional>
+
 // Maps that do not crawl: as the camera moves or turns, the edges of still shadows stay where they are. The price is sharpness.
 namespace lixel {
 
@@ -26,7 +28,8 @@ FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&));
 // the square root of two.
 DepthSpan stableDepths(const FitInput& input);
 
-// The held view itself. Parallel views are held as they are.
-View heldView(const View& view, double gridStep);
+// The held view itself. Nothing for parallel views, for those too wide to widen (85 degrees and more from the line of sight), and
+// without a step; fitHeld() is fitStable() there.
+std::optional<View> heldView(const View& view, double gridStep);
 
 } // namespace lixel

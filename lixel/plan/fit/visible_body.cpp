@@ -45,11 +45,10 @@ void addReached(const FitInput& input, BodyPlanes& planes)
 double squaredDistance(Vec3d a, Vec3d b) { return dot(a - b, a - b); }
 
 // A spot inside the scene is a corner of what it reaches. The cone of directions is spanned by the other corners.
-void dropPointsAt(Vec3d lightLocal, std::vector<Vec3d>& points)
+// A region that begins at the light may have no others.
+void dropPointsAt(Vec3d lightLocal, double sceneSize, std::vector<Vec3d>& points)
 {
-    double farthest = 0;
-    for (const Vec3d& p : points) farthest = std::max(farthest, squaredDistance(p, lightLocal));
-    const double least = 1e-9 * (std::sqrt(farthest) + length(lightLocal)); // above the rounding of clipping
+    const double least = 1e-9 * (sceneSize + length(lightLocal)); // above the rounding of clipping
     std::erase_if(points, [&](Vec3d p) { return squaredDistance(p, lightLocal) <= least * least; });
 }
 
@@ -90,7 +89,8 @@ void findPoints(const FitInput& input, const BodyPlanes& planes, std::vector<Vec
         const Box box = translated(boxWorld, -input.originWorld);
         appendClippedBox(box, cone.holds(box) ? all.first(all.size() - kConeSides) : all, points);
     }
-    if (input.light.kind != LightKind::Directional) dropPointsAt(input.light.positionWorld - input.originWorld, points);
+    if (input.light.kind != LightKind::Directional)
+        dropPointsAt(input.light.positionWorld - input.originWorld, input.sceneLocal.diagonal(), points);
 }
 
 // A corner of a box that is being cut, and the planes it lies on: bits 0 to 5 the box's, then those that cut it.

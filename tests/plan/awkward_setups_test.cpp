@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Coverage where geometry is degenerate and lixels are few: what is planned is finite and serves every receiver, or is refused by name.
+#include "plan/awkward_setups.h"
+
+#include "plan/receivers.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace lixel {
+namespace {
+
+using test::forEachCase;
+using test::RandomSetup;
+using test::Rng;
+
+constexpr LixelSize kBudgets[] = {{512, 384}, {16, 16}, {512, 1}, {1, 512}, {2, 7}, {3, 3}, {1, 1}};
+
+// As far as a narrow rectangle has room for the reach; less a tenth of a lixel for the rounding of a map as narrow as they get.
+double reachIn(int lixels, double reach) { return std::min(reach, 0.5 * lixels - 0.5) - 0.1; }
+
+void expectFinite(const FramePlan& plan)
+{
+    for (const shared::ShadowRegion& region : plan.regionTable)
+        for (int i = 0; i < 4; ++i) {
+            const shared::vec4 column = region.lightClipFromLocal[i];
+            EXPECT_TRUE(std::isfinite(column.x + column.y + column.z + column.w));
+        }
+}
+
+void expectServed(const FramePlan& plan, const ViewSamples& samples, bool isRoomy)
+{
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        shared::LxReceiver receiver{};
+        const PlannedRegion* region = test::serving(plan, samples.positionLocal[i], samples.normal[i], receiver);
+        ASSERT_NE(region, nullptr) << "unserved";
+        if (!isRoomy) continue;
+        const LixelRectangle& r = region->rectangle;
+        const double x = reachIn(r.width(), plan.lookup.reach), y = reachIn(r.height(), plan.lookup.reach);
+        EXPECT_GE(receiver.lixel.x, r.x0 + x);
+        EXPECT_LE(receiver.lixel.x, r.x1 - x);
+        EXPECT_GE(receiver.lixel.y, r.y0 + y);
+        EXPECT_LE(receiver.lixel.y, r.y1 - y);
+    }
+}
+
+class Awkward : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(Awkward, SetupsHaveFinitePlansThatServeEveryReceiverOrAreRefusedByName)
+{
+    forEachCase(3 * test::kCases, [](Rng& rng) {
+        const RandomSetup setup = test::awkwardSetup(rng);
+        const ViewSamples samples = test::anySamples(setup, rng);
+        const LixelSize budget = kBudgets[rng.integer(0, 6)];
+        PlanInput input{setup.view,
+                        {&setup.light, 1},
+                        setup.boxesWorld,
+                        setup.originWorld,
+                        std::get<MapTechnique>(*parseTechnique(GetParam())),
+                        budget};
+        if (rng.chance(0.7) || needsViewSamples(input.technique)) input.seen = &samples;
+        input.seenIsAll = input.seen && rng.chance(0.5);
+        const FramePlan plan = planShadows(input);
+        EXPECT_LE(plan.lixelsOf(0), std::int64_t(budget.width) * budget.height);
+        expectFinite(plan);
+        if (!plan.lights[0].refused) expectServed(plan, samples, budget.width * budget.height >= 256);
+        else if (samples.size() > 0) {
+            EXPECT_NE(*plan.lights[0].refused, FitFailure::NothingInView);
+        }
+    });
+}
+
+constexpr const char* kTechniques[] = {"uniform",
+                                       "focused",
+                                       "desired-view",
+                                       "desired-view(rotated)",
+                                       "minimal-frustum",
+                                       "psm",
+                                       "psm(shift=none)",
+                                       "tsm",
+                                       "lispsm",
+                                       "focused(stable)",
+                                       "lispsm(stable)",
+                                       "pssm(9)",
+                                       "pssm(4)+lispsm",
+                                       "pssm(3,stable)",
+                                       "pssm(3,stable)+lispsm",
+                                       "sdsm(4)",
+                                       "sdsm(4,stable)",
+                                       "cube",
+                                       "cube+uniform",
+                                       "cube+desired-view",
+                                       "cube+psm",
+                                       "psm+else(cube+desired-view)",
+                                       "pssm(2)+tsm+else(focused)",
+                                       "uniform+else(cube)"};
+
+std::string testName(const testing::TestParamInfo<const char*>& technique)
+{
+    std::string name;
+    for (const char c : std::string_view(technique.param))
+        name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, Awkward, testing::ValuesIn(kTechniques), testName);
+
+} // namespace
+} // namespace lixel
