@@ -122,11 +122,9 @@ public:
         const MapTechnique& technique = input_.technique;
         std::optional<FitFailure> refused = addAll(technique.partition, technique.fit);
         if (technique.otherwise && (keepUnserved() || refused)) {
-            const std::size_t before = candidates_.size();
             const std::optional<FitFailure> refusedToo =
                 addAll(technique.otherwise->partition, technique.otherwise->fit);
-            if (candidates_.size() > before) refused.reset();
-            else if (refused) refused = refusedToo;
+            if (refused) refused = refusedToo;
         }
         if (refused) return refused;
         if (candidates_.empty()) return FitFailure::NothingInView;
@@ -183,7 +181,7 @@ private:
             for (const Plane& plane : candidate.halfSpacesLocal)
                 if (plane.signedDistance(pointLocal) < 0) return false;
             const Vec4d c = candidate.fit.lightClipFromLocal * point(pointLocal);
-            return c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w;
+            return c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z <= c.w;
         });
     }
 

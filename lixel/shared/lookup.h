@@ -16,7 +16,7 @@ struct LxReceiver
     float depth;        // reversed: 1 near, 0 far
     vec2 depthPerLixel; // of the receiver's plane
     float slack;        // depth that rounding may have moved the receiver or the map by
-    float isInside;     // 1 inside the region's rectangle, else 0
+    float isInside;     // 1 inside the region's rectangle and before its far side, else 0
 };
 
 // Rounding of one float product and sum, with room for the matrix, the point and the rasterizer's interpolation.
@@ -50,9 +50,6 @@ LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
     r.lixel = vec2(ndc.x * region.lixelFromNdc.x + region.lixelFromNdc.z,
                    ndc.y * region.lixelFromNdc.y + region.lixelFromNdc.w);
     r.depth = ndc.z;
-    bool inside = clip.w > 0.0f && r.lixel.x >= region.rectangle.x && r.lixel.y >= region.rectangle.y &&
-                  r.lixel.x < region.rectangle.z && r.lixel.y < region.rectangle.w;
-    r.isInside = inside ? 1.0f : 0.0f;
 
     // The receiver's plane in (lixel x, lixel y, depth): the light image along two tangents, d(clip / w) = (d clip - ndc d w) / w.
     vec3 t1 = lxAnyPerpendicular(normal);
@@ -83,6 +80,10 @@ LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
     float errorX = (sumX + abs(ndc.x) * sumW) * abs(perW) * region.lixelFromNdc.x;
     float errorY = (sumY + abs(ndc.y) * sumW) * abs(perW) * region.lixelFromNdc.y;
     float errorZ = (sumZ + abs(ndc.z) * sumW) * abs(perW);
+    // Beyond the far side nothing is drawn: what lies there would lose its shadows, and is the next region's.
+    bool inside = clip.w > 0.0f && r.lixel.x >= region.rectangle.x && r.lixel.y >= region.rectangle.y &&
+                  r.lixel.x < region.rectangle.z && r.lixel.y < region.rectangle.w && r.depth >= -LX_ROUNDING * errorZ;
+    r.isInside = inside ? 1.0f : 0.0f;
     r.slack = isEdgeOn ? steepest : LX_ROUNDING * (errorZ + abs(gx) * errorX + abs(gy) * errorY);
     return r;
 }

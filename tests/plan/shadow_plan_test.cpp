@@ -2,6 +2,7 @@
 #include "lixel/plan/shadow_plan.h"
 
 #include "plan/ordinary_setups.h"
+#include "plan/receivers.h"
 
 #include <gtest/gtest.h>
 
@@ -111,6 +112,42 @@ TEST(Else, HasAMapOnlyWhereAReceiverNeedsIt)
         const bool isFocusedRefused = planShadows(inputOf(setup, "focused")).lights[0].refused.has_value();
         EXPECT_EQ(both.lights[0].regions.size(), isFocusedRefused ? 1u : 2u);
     });
+}
+
+TEST(Else, ServesWhatLiesBeyondTheFarSideOfAMapMadeForOthers)
+{
+    // A table on a floor under a lamp right above: the samples given are the table's alone.
+    RandomSetup setup;
+    setup.boxesWorld = {{{-5, 0, -5}, {5, 0, 5}}, {{-1, 1, -1}, {1, 1, 1}}};
+    setup.view = perspectiveView({0, 3, 6}, {0, 0, 0}, {0, 1, 0}, 1, 0.1, 100, 640, 480);
+    setup.light.directionWorld = {0, -1, 0};
+    ViewSamples samples = oneSample(setup, {-1, 1, -1});
+    const ViewSamples other = oneSample(setup, {1, 1, 1});
+    samples.pixel.push_back(other.pixel[0]);
+    samples.positionLocal.push_back(other.positionLocal[0]);
+    samples.normal.push_back(other.normal[0]);
+    samples.triangle.push_back(other.triangle[0]);
+    PlanInput input = inputOf(setup, "desired-view+else(focused)");
+    input.seen = &samples;
+    const FramePlan plan = planShadows(input);
+    ASSERT_EQ(plan.lights[0].regions.size(), 2u);
+    shared::LxReceiver receiver{};
+    EXPECT_EQ(test::serving(plan, {0.5f, 1, 0.5f}, {0, 1, 0}, receiver), &plan.lights[0].regions[0]);
+    EXPECT_EQ(test::serving(plan, {0.5f, 0, 0.5f}, {0, 1, 0}, receiver), &plan.lights[0].regions[1]);
+}
+
+TEST(Else, ThatIsRefusedForSomeOfItsCellsDoesNotHideTheRefusal)
+{
+    // A lamp amidst the nearest of four cascades: no one map holds what is around it, whichever fit is asked.
+    RandomSetup setup;
+    setup.boxesWorld = {{{-50, -1, -50}, {50, 0, 50}}, {{-50, 4, -50}, {50, 5, 50}}};
+    setup.view = perspectiveView({0, 2, 0}, {1, 2, 0}, {0, 1, 0}, 1.5, 0.1, 100, 640, 480);
+    setup.light.kind = LightKind::Point;
+    setup.light.positionWorld = {8, 2, 0};
+    const FramePlan plan = planShadows(inputOf(setup, "pssm(4)+else(pssm(4)+minimal-frustum)"));
+    ASSERT_TRUE(plan.lights[0].refused);
+    EXPECT_EQ(*plan.lights[0].refused, FitFailure::ExtentNotInHemisphere);
+    EXPECT_TRUE(plan.lights[0].regions.empty());
 }
 
 TEST(Else, ServesLightsThatTheFitRefuses)
