@@ -18,7 +18,7 @@ inline bool isInView(const RandomSetup& setup, Vec3d pointLocal)
 inline bool isNextToLight(const RandomSetup& setup, Vec3d pointLocal)
 {
     const double away = length(setup.light.positionWorld - setup.originWorld - pointLocal);
-    return setup.light.kind != LightKind::Directional && away < 1e-3 * (setup.radius + length(pointLocal));
+    return setup.light.kind != LightKind::Directional && away < (1.0 / 64) * (setup.radius + length(pointLocal));
 }
 
 // Points of the boxes that are in view, many on their faces, edges and corners, with normals towards the light.

@@ -58,6 +58,9 @@ std::optional<LineOfSight> lineOfSight(const FitInput& input, const FramedBody& 
     }
     line.length = last - line.first;
     if (!(size > kLeastOfBody * line.length)) return std::nullopt;
+    // Rectangles are never smaller than floats resolve; a body that is has no room for a centre before it.
+    const Vec2d half = rectangleAround(body, RectangleKind::LeastArea, input.scratch).halfSize;
+    if (line.length < std::min(half.x, half.y)) return std::nullopt;
     const Vec3d middle = line.at(std::sqrt(depths.nearest * depths.farthest));
     const Vec3d turn = cross(normalized(line.perDepth), towardsLight(input.light, input.originWorld, middle));
     line.sineSquared = dot(turn, turn);

@@ -27,7 +27,8 @@ struct LineOfSight
     Vec3d at(double depth) const { return eyeLocal + depth * perDepth; }
 };
 
-// Nothing for parallel views, and where the line runs along the light or out of its half-space between the two depths.
+// Nothing for parallel views, where the line runs along the light or out of its half-space between the two depths, and where
+// the body's image is a point but for rounding.
 std::optional<LineOfSight> lineOfSight(const FitInput& input, const FramedBody& body, const DepthSpan& depths);
 
 // Where a point lies along the line, from the start of the body.

@@ -26,6 +26,10 @@ constexpr double kLeastRelativeHalfSize = 1e-9;
 // thousand times that, so that a map of 512 lixels keeps a receiver within a tenth of a lixel. Nor are its depths.
 constexpr double kLeastPerRounding = 2e3 * 0x1p-24;
 
+// Half the size of a map of lights at a point, at least: a line through the light is a point in its image, but for the rounding of
+// where the light is. The image of a scene a million of its radii away is a thousand times that.
+constexpr double kLeastTangent = 1e-9;
+
 // Of a scene that is one point, at the very origin.
 constexpr double kLeastRoom = 1e-12;
 
@@ -303,16 +307,17 @@ Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double ne
                  const FitInput& input)
 {
     const double scale = length(rectangle.centre) + length(rectangle.halfSize);
-    const double least = scale > 0 ? kLeastRelativeHalfSize * scale : kLeastRelativeHalfSize;
-    rectangle.halfSize = kBorder * rectangle.halfSize + Vec2d{least, least};
+    const double room = kLeastRelativeHalfSize * scale, least = frame.isPerspective ? kLeastTangent : kLeastRoom;
+    rectangle.halfSize = {std::max(kBorder * rectangle.halfSize.x + room, least),
+                          std::max(kBorder * rectangle.halfSize.y + room, least)};
 
     double near = std::min(nearDepth, farDepth);
     if (frame.isPerspective) near = std::max(near, kLeastNearPerFar * farDepth);
     const double span = farDepth - near;
-    const double room = std::max({1e-6 * span, 1e-9 * (std::abs(farDepth) + std::abs(near)),
-                                  leastDepthSpan(frame, farDepth, input.sceneLocal) - span, kLeastRoom});
-    near -= frame.isPerspective ? std::min(room, 0.5 * near) : room;
-    const double far = farDepth + room;
+    const double roomOfDepth = std::max({1e-6 * span, 1e-9 * (std::abs(farDepth) + std::abs(near)),
+                                         leastDepthSpan(frame, farDepth, input.sceneLocal) - span, kLeastRoom});
+    near -= frame.isPerspective ? std::min(roomOfDepth, 0.5 * near) : roomOfDepth;
+    const double far = farDepth + roomOfDepth;
 
     const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1),
                 depth = frame.framedFromLocal.row(2), w = frame.framedFromLocal.row(3);
