@@ -120,7 +120,8 @@ void listCells(std::span<const shared::ObservedPoint> cells, const ObservedFrame
     for (const shared::ObservedPoint& cell : cells) {
         const shared::ViewPoint& point = cell.point;
         if (point.pixel == shared::kNoPixel) continue;
-        samples.pixel.push_back({float(point.pixel % width) + 0.5f, float(point.pixel / width) + 0.5f});
+        const std::uint32_t column = point.pixel % width, row = point.pixel / width;
+        samples.pixel.push_back({float(column) + 0.5f, float(row) + 0.5f});
         samples.positionLocal.push_back({point.positionLocal.x, point.positionLocal.y, point.positionLocal.z});
         samples.normal.push_back({point.normal.x, point.normal.y, point.normal.z});
         samples.triangle.push_back(point.triangle);

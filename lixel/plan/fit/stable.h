@@ -29,7 +29,7 @@ FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&));
 // the square root of two.
 DepthSpan stableDepths(const FitInput& input);
 
-// The held view itself. Nothing for parallel views, for those too wide to widen (85 degrees and more from the line of sight), and
+// The held view itself. Nothing for parallel views, for those too wide to widen (some 82 degrees and more from the line of sight), and
 // without a step; fitHeld() is fitStable() there.
 std::optional<View> heldView(const View& view, double gridStep);
 
