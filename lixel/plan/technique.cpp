@@ -311,6 +311,8 @@ std::string checkTogether(const MapTechnique& map, const Parts& parts)
     if (map.isStable && map.allocation == Allocation::Need)
         return "allocation=need follows the view samples: a stable technique takes allocation=share";
     if (map.isStable && !canBeStable) return "stable goes with focused and lispsm";
+    if (map.isStable && !isWhole && std::holds_alternative<LispsmFit>(map.fit))
+        return "lispsm(stable) goes with no partition: cells follow the camera, and it with them";
     if (isGiven(map.fit) && !isWhole)
         return "matrix(file) and plan(file) have their own regions: no partition goes with them";
     if (parts.allocation && isWhole && !map.otherwise) return "allocation= needs more than one region";

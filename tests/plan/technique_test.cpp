@@ -78,6 +78,7 @@ TEST(TechniqueText, WhatIsWrongIsOneLineThatQuotesIt)
                              "matrix()",
                              "cube(3)",
                              "uniform(stable)",
+                             "pssm(2)+lispsm(stable)",
                              "sdsm(2,stable)+desired-view",
                              "tsm+focused(stable)",
                              "allocation=need",

@@ -19,8 +19,8 @@ FitResult fitStable(const FitInput& input);
 
 // For fits whose perspective follows the camera: the fit of a held view, which stays as it is while the camera moves within a
 // step of a grid (1/64 of the scene's diagonal) and turns within a step of 1/16 radian, and holds every such view. Between
-// steps the map does not change at all; at a step all of it does. The cells of pssm, which are slices of the view itself, do
-// follow the camera, and such maps with them. `fit` finds scratch.points filled with what the held view
+// steps the map does not change at all; at a step all of it does. Cells that follow the camera would move such maps with it: it is
+// for all of space. `fit` finds scratch.points filled with what the held view
 // sees, and no view samples, which would change from frame to frame.
 FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&));
 
