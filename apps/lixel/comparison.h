@@ -63,7 +63,7 @@ ResultRow keyOf(const ShotContext& context, const TechniqueChoice& choice, std::
 // The counts of a row.
 Measurement measured(const ShotContext& context, std::size_t light, const Visibility& visibility);
 
-Agreement agreementWith(std::string_view other, const ExecutorAgreement& counts);
+Agreement agreementWith(std::string_view other, const ExecutorAgreement& a);
 
 // Footprint and density of light-facing samples that the light's map serves.
 struct Density
