@@ -98,15 +98,7 @@ constexpr const char* kTechniques[] = {"uniform",
                                        "pssm(2)+tsm+else(focused)",
                                        "uniform+else(cube)"};
 
-std::string testName(const testing::TestParamInfo<const char*>& technique)
-{
-    std::string name;
-    for (const char c : std::string_view(technique.param))
-        name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-    return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Techniques, Awkward, testing::ValuesIn(kTechniques), testName);
+INSTANTIATE_TEST_SUITE_P(Techniques, Awkward, testing::ValuesIn(kTechniques), test::testName);
 
 } // namespace
 } // namespace lixel

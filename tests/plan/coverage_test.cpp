@@ -121,15 +121,7 @@ TEST_P(Coverage, IsSeldomRefusedInOrdinarySetups)
     EXPECT_EQ(tally.refused(), 0); // the bar for warped fits is 2 %
 }
 
-std::string testName(const testing::TestParamInfo<const char*>& technique)
-{
-    std::string name;
-    for (const char c : std::string_view(technique.param))
-        name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-    return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Techniques, Coverage, testing::ValuesIn(kTechniques), testName);
+INSTANTIATE_TEST_SUITE_P(Techniques, Coverage, testing::ValuesIn(kTechniques), test::testName);
 
 } // namespace
 } // namespace lixel

@@ -3,6 +3,7 @@
 #include "lixel/plan/partition/cube.h"
 #include "lixel/plan/shadow_plan.h"
 #include "plan/ordinary_setups.h"
+#include "plan/receivers.h"
 
 #include <gtest/gtest.h>
 
@@ -12,18 +13,9 @@ namespace {
 using test::forEachCase;
 using test::inputOf;
 using test::ordinarySetup;
+using test::planOf;
 using test::RandomSetup;
 using test::Rng;
-
-FramePlan planOf(const RandomSetup& setup, const char* technique)
-{
-    return planShadows({setup.view,
-                        {&setup.light, 1},
-                        setup.boxesWorld,
-                        setup.originWorld,
-                        std::get<MapTechnique>(*parseTechnique(technique)),
-                        {640, 480}});
-}
 
 bool holds(const CellPlanes& planes, Vec3d p)
 {

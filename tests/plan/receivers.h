@@ -5,7 +5,13 @@
 #include "lixel/shared/lookup.h"
 #include "plan/random_setups.h"
 
-// Receivers of a random setup, and the region that serves each.
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <string>
+#include <string_view>
+
+// Receivers of a random setup, the plans made for them, and the region that serves each.
 namespace lixel::test {
 
 inline bool isInView(const RandomSetup& setup, Vec3d pointLocal)
@@ -65,6 +71,26 @@ inline const PlannedRegion* serving(const FramePlan& plan, Vec3f positionLocal, 
         if (receiver.isInside != 0) return &plan.lights[0].regions[r];
     }
     return nullptr;
+}
+
+// The plan of one light of a setup, from its technique's text.
+inline FramePlan planOf(const RandomSetup& setup, const char* technique, LixelSize lixels = {512, 512})
+{
+    return planShadows({setup.view,
+                        {&setup.light, 1},
+                        setup.boxesWorld,
+                        setup.originWorld,
+                        std::get<MapTechnique>(*parseTechnique(technique)),
+                        lixels});
+}
+
+// A technique's text as a part of a test's name.
+inline std::string testName(const testing::TestParamInfo<const char*>& technique)
+{
+    std::string name;
+    for (const char c : std::string_view(technique.param))
+        name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    return name;
 }
 
 } // namespace lixel::test

@@ -3,6 +3,7 @@
 
 #include "lixel/plan/shadow_plan.h"
 #include "plan/ordinary_setups.h"
+#include "plan/receivers.h"
 
 #include <gtest/gtest.h>
 
@@ -11,18 +12,9 @@ namespace {
 
 using test::forEachCase;
 using test::ordinarySetup;
+using test::planOf;
 using test::RandomSetup;
 using test::Rng;
-
-FramePlan planOf(const RandomSetup& setup, const char* technique)
-{
-    return planShadows({setup.view,
-                        {&setup.light, 1},
-                        setup.boxesWorld,
-                        setup.originWorld,
-                        std::get<MapTechnique>(*parseTechnique(technique)),
-                        {512, 512}});
-}
 
 View viewFrom(Vec3d eye, double yaw, double pitch)
 {
