@@ -12,6 +12,10 @@ std::string_view nameOf(FitFailure failure)
     case FitFailure::NoViewSamples: return "no-view-samples";
     case FitFailure::NotGiven: return "not-given";
     case FitFailure::TooFewLixels: return "too-few-lixels";
+    case FitFailure::NoSuchPlane: return "no-such-plane";
+    case FitFailure::PlaneFacesAway: return "plane-faces-away";
+    case FitFailure::LightInPlane: return "light-in-plane";
+    case FitFailure::EyeInPlane: return "eye-in-plane";
     }
     return "";
 }
@@ -25,7 +29,12 @@ std::string_view sentenceFor(FitFailure failure)
     case FitFailure::EmptyScene: return "the scene has no casters";
     case FitFailure::NoViewSamples: return "it is made from view samples, and none were given";
     case FitFailure::NotGiven: return "the file has no map for this light";
-    case FitFailure::TooFewLixels: return "the budget has less than one lixel for each region";
+    case FitFailure::TooFewLixels:
+        return "the budget has less than one lixel for each region, or than a lixel a pixel where that is asked for";
+    case FitFailure::NoSuchPlane: return "there is no plane of that name, or none was found";
+    case FitFailure::PlaneFacesAway: return "the plane is between eye and light: nothing seen of it faces the light";
+    case FitFailure::LightInPlane: return "the light lies in the plane: its rays do not cross it";
+    case FitFailure::EyeInPlane: return "the eye lies in the plane, which is seen edge-on";
     }
     return "";
 }

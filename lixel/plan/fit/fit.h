@@ -7,6 +7,8 @@
 #include "lixel/base/rectangle.h"
 #include "lixel/base/view.h"
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -21,7 +23,11 @@ enum class FitFailure {
     EmptyScene,            // there are no casters
     NoViewSamples,         // the fit or partition is made from view samples, and none were given
     NotGiven,              // the file of matrix(file) or plan(file) has nothing for this light
-    TooFewLixels,          // the budget has less than one lixel for each region
+    TooFewLixels,          // the budget has less than one lixel for each region, or than a lixel a pixel
+    NoSuchPlane,           // planes(...) names a plane that is not there
+    PlaneFacesAway,        // the plane is between the eye and the light: nothing seen of it faces the light
+    LightInPlane,          // the light lies in the plane: its rays do not cross it
+    EyeInPlane,            // the plane is seen edge-on
 };
 std::string_view nameOf(FitFailure failure);
 std::string_view sentenceFor(FitFailure failure);
@@ -41,7 +47,32 @@ struct FitScratch
 };
 
 // Half-spaces of a region, Local, inside positive.
-using CellPlanes = FixedVector<Plane, 6>;
+using CellPlanes = FixedVector<Plane, 16>;
+
+// How the rectangle of a plane's lixels lies on the picture (plane_optimal.h).
+enum class Twist : std::uint8_t {
+    None,  // along the pixels: lixels are axis-aligned rectangles on the picture
+    Tight, // the rectangle of least area: lixels are rotated rectangles
+    Line   // along the line where the plane meets the next one
+};
+
+// The plane that a region is for.
+struct PlaneOfCell
+{
+    Plane planeLocal; // unit normal, either way
+    Twist twist = Twist::Tight;
+    std::optional<Plane> throughLineLocal = {}; // for Twist::Line: the plane through the light and that line
+};
+
+// Whole pixels x0 <= x < x1, y0 <= y < y1 of the picture; they may lie beyond its borders.
+struct PixelRectangle
+{
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+    friend bool operator==(const PixelRectangle&, const PixelRectangle&) = default;
+};
 
 struct FitInput
 {
@@ -55,6 +86,8 @@ struct FitInput
     bool hasViewSamples = false;           // whether view samples were given at all ...
     std::span<const Vec3d> seenLocal = {}; // ... and those of this region that face the light
     bool isStable = false;                 // the map must not crawl as the camera moves
+    std::optional<PlaneOfCell> plane = {}; // of a region that is for a plane
+    bool wantsWholePixels = false;         // a lixel a pixel, where the fit can
 };
 
 // Needs nothing of the map's size. lightClipFromLocal is in lixel's convention (clip_convention.h): receivers that matter
@@ -63,6 +96,9 @@ struct Fit
 {
     Mat4d lightClipFromLocal;
     bool snapsToWorld = false; // parallel and of constant size: its lixels are to keep their places in the world
+    std::optional<Plane> narrowedToLocal =
+        {}; // receivers outside are the next region's: too near to the light for this map
+    std::optional<PixelRectangle> pixels = {}; // the NDC square is this part of the picture, at a lixel a pixel
 };
 
 using FitResult = Expected<Fit, FitFailure>;

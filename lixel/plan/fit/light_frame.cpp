@@ -140,13 +140,26 @@ double nearestCaster(const LightFrame& frame, const OrientedRectangle& rectangle
     return nearest;
 }
 
-// Of the points the corners of their image; all, where some are beside the frame's light or behind it: the image of a
-// point beside it lies far away, and against that everything else is small.
-void keepCorners(const LightFrame& frame, std::span<const Vec3d> points, FitScratch& scratch)
+// Of points with these places on the light plane the corners of their image.
+void keepHull(std::span<const Vec3d> points, FitScratch& scratch)
 {
     auto& [onPlane, hull, numbered, numberedHull] = scratch.plane;
-    onPlane.resize(points.size());
+    const HullSieve sieve(onPlane, kNoLoss); // what a cone cuts lies in line
+    numbered.clear();
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (!sieve.isInner(onPlane[i])) numbered.push_back({onPlane[i], std::uint32_t(i)});
+    numberedHull.resize(numbered.size() + 1);
+    const std::size_t corners = convexHull(numbered, numberedHull);
     scratch.corners.clear();
+    for (std::size_t i = 0; i < corners; ++i) scratch.corners.push_back(points[numberedHull[i].number]);
+}
+
+// The same for any points; all, where some are beside the frame's light or behind it: the image of a point beside it lies far
+// away, and against that everything else is small.
+void keepCorners(const LightFrame& frame, std::span<const Vec3d> points, FitScratch& scratch)
+{
+    std::vector<Vec2d>& onPlane = scratch.plane.points;
+    onPlane.resize(points.size());
     const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
     bool areBefore = true;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -159,13 +172,48 @@ void keepCorners(const LightFrame& frame, std::span<const Vec3d> points, FitScra
         scratch.corners.assign(points.begin(), points.end());
         return;
     }
-    const HullSieve sieve(onPlane, kNoLoss); // what a cone cuts lies in line
-    numbered.clear();
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (!sieve.isInner(onPlane[i])) numbered.push_back({onPlane[i], std::uint32_t(i)});
-    numberedHull.resize(numbered.size() + 1);
-    const std::size_t corners = convexHull(numbered, numberedHull);
-    for (std::size_t i = 0; i < corners; ++i) scratch.corners.push_back(points[numberedHull[i].number]);
+    keepHull(points, scratch);
+}
+
+// Sides on both axes, and depth from the near side (see leastDepthSpan) to the far.
+Fit fitSides(const LightFrame& frame, const OrientedRectangle& rectangle, double nearDepth, double farDepth,
+             const FitInput& input)
+{
+    double near = std::min(nearDepth, farDepth);
+    if (frame.isPerspective) near = std::max(near, kLeastNearPerFar * farDepth);
+    const double span = farDepth - near;
+    const double roomOfDepth = std::max({1e-6 * span, 1e-9 * (std::abs(farDepth) + std::abs(near)),
+                                         leastDepthSpan(frame, farDepth, input.sceneLocal) - span, kLeastRoom});
+    near -= frame.isPerspective ? std::min(roomOfDepth, 0.5 * near) : roomOfDepth;
+    const double far = farDepth + roomOfDepth;
+
+    const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1),
+                depth = frame.framedFromLocal.row(2), w = frame.framedFromLocal.row(3);
+    const Vec2d a = rectangle.axis, b{-a.y, a.x};
+    const auto along = [&](Vec2d axis, double half) {
+        return (1 / half) * (axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w);
+    };
+    // What is left to the far side, 1 at the near side and 0 at the far, times w: linear in depth where w does not change along
+    // rays, and linear in 1 / depth where it is the depth. A warp of parallel light changes w across the map; the least
+    // of it keeps all that must be held within the near side.
+    const double nearest = frame.isPerspective ? near : frame.leastW;
+    const Vec4d left = (nearest / (far - near)) * (Vec4d{0, 0, 0, far} - depth);
+    return {Mat4d::fromRows(along(a, rectangle.halfSize.x), along(b, rectangle.halfSize.y), w - 2.0 * left, w)};
+}
+
+// Not less than what floats of positions and of the map's rows resolve.
+OrientedRectangle resolved(OrientedRectangle rectangle, const FramedBody& body)
+{
+    const Vec2d rounding = kLeastPerRounding * roundingIn(body.frame, rectangle, body.points);
+    rectangle.halfSize = {std::max(rectangle.halfSize.x, rounding.x), std::max(rectangle.halfSize.y, rounding.y)};
+    return rectangle;
+}
+
+std::span<const Vec2d> cornersOnPlane(const FramedBody& body, FitScratch& scratch)
+{
+    scratch.plane.points.clear();
+    for (const Vec3d& p : body.corners) scratch.plane.points.push_back(onLightPlane(body.frame, p));
+    return scratch.plane.points;
 }
 
 } // namespace
@@ -241,6 +289,18 @@ std::optional<FramedBody> warped(const FramedBody& body, const PlaneWarp& warp)
     return held(out);
 }
 
+std::optional<FramedBody> framedIn(const LightFrame& frame, std::span<const Vec3d> points, FitScratch& scratch)
+{
+    const auto all = held({frame, points, points});
+    if (points.empty() || !all) return std::nullopt;
+    scratch.plane.points.clear();
+    for (const Vec3d& p : points) scratch.plane.points.push_back(onLightPlane(frame, p));
+    keepHull(points, scratch);
+    FramedBody body = *all;
+    body.corners = scratch.corners;
+    return body;
+}
+
 std::optional<FramedBody> held(FramedBody body)
 {
     const Vec4d w = body.frame.framedFromLocal.row(3);
@@ -283,20 +343,17 @@ Expected<FramedBody, FitFailure> visibleBody(const FitInput& input)
 
 OrientedRectangle rectangleAround(const FramedBody& body, RectangleKind kind, FitScratch& scratch)
 {
+    if (kind == RectangleKind::Upright) return rectangleAround(body, Vec2d{1, 0}, scratch);
+    cornersOnPlane(body, scratch);
     std::vector<Vec2d>&onPlane = scratch.plane.points, &hull = scratch.plane.hull;
-    onPlane.clear();
-    for (const Vec3d& p : body.corners) onPlane.push_back(onLightPlane(body.frame, p));
-    OrientedRectangle rectangle;
-    if (kind == RectangleKind::Upright) {
-        rectangle = rectangleAlong(onPlane, {1, 0});
-    } else {
-        hull.resize(onPlane.size() + 1);
-        const std::size_t corners = convexHull(onPlane, hull);
-        rectangle = minimumAreaRectangle({hull.data(), corners});
-    }
-    const Vec2d rounding = kLeastPerRounding * roundingIn(body.frame, rectangle, body.points);
-    rectangle.halfSize = {std::max(rectangle.halfSize.x, rounding.x), std::max(rectangle.halfSize.y, rounding.y)};
-    return rectangle;
+    hull.resize(onPlane.size() + 1);
+    const std::size_t corners = convexHull(onPlane, hull);
+    return resolved(minimumAreaRectangle({hull.data(), corners}), body);
+}
+
+OrientedRectangle rectangleAround(const FramedBody& body, Vec2d axis, FitScratch& scratch)
+{
+    return resolved(rectangleAlong(cornersOnPlane(body, scratch), axis), body);
 }
 
 double farthestDepth(const FramedBody& body)
@@ -317,6 +374,12 @@ Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double fa
     return fitRectangle(frame, rectangle, nearestCaster(frame, rectangle, input), farDepth, input);
 }
 
+Fit fitRectangleAsItIs(const LightFrame& frame, const OrientedRectangle& rectangle, double farDepth,
+                       const FitInput& input)
+{
+    return fitSides(frame, rectangle, nearestCaster(frame, rectangle, input), farDepth, input);
+}
+
 Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double nearDepth, double farDepth,
                  const FitInput& input)
 {
@@ -325,26 +388,7 @@ Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double ne
     rectangle.halfSize = {std::max(kBorder * rectangle.halfSize.x + room, least),
                           std::max(kBorder * rectangle.halfSize.y + room, least)};
 
-    double near = std::min(nearDepth, farDepth);
-    if (frame.isPerspective) near = std::max(near, kLeastNearPerFar * farDepth);
-    const double span = farDepth - near;
-    const double roomOfDepth = std::max({1e-6 * span, 1e-9 * (std::abs(farDepth) + std::abs(near)),
-                                         leastDepthSpan(frame, farDepth, input.sceneLocal) - span, kLeastRoom});
-    near -= frame.isPerspective ? std::min(roomOfDepth, 0.5 * near) : roomOfDepth;
-    const double far = farDepth + roomOfDepth;
-
-    const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1),
-                depth = frame.framedFromLocal.row(2), w = frame.framedFromLocal.row(3);
-    const Vec2d a = rectangle.axis, b{-a.y, a.x};
-    const auto along = [&](Vec2d axis, double half) {
-        return (1 / half) * (axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w);
-    };
-    // What is left to the far side, 1 at the near side and 0 at the far, times w: linear in depth where w does not change along
-    // rays, and linear in 1 / depth where it is the depth. A warp of parallel light changes w across the map; the least
-    // of it keeps all that must be held within the near side.
-    const double nearest = frame.isPerspective ? near : frame.leastW;
-    const Vec4d left = (nearest / (far - near)) * (Vec4d{0, 0, 0, far} - depth);
-    return {Mat4d::fromRows(along(a, rectangle.halfSize.x), along(b, rectangle.halfSize.y), w - 2.0 * left, w)};
+    return fitSides(frame, rectangle, nearDepth, farDepth, input);
 }
 
 } // namespace lixel

@@ -75,8 +75,14 @@ enum class RectangleKind {
     LeastArea
 };
 
+// The points in a given frame; corners are kept in the scratch. Nothing where w is not positive, or next to nothing, at some.
+std::optional<FramedBody> framedIn(const LightFrame& frame, std::span<const Vec3d> points, FitScratch& scratch);
+
 // The rectangle on the light plane that holds the body. Needs a point, and w > 0 at all corners.
 OrientedRectangle rectangleAround(const FramedBody& body, RectangleKind kind, FitScratch& scratch);
+
+// The same with one side along a unit vector of the light plane.
+OrientedRectangle rectangleAround(const FramedBody& body, Vec2d axis, FitScratch& scratch);
 
 double farthestDepth(const FramedBody& body);
 
@@ -88,7 +94,11 @@ Fit fitTightly(const FramedBody& body, RectangleKind kind, const FitInput& input
 // not nearer than 1e-4 of the far depth for perspective; far: the given depth.
 Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double farDepth, const FitInput& input);
 
-// As above with the nearest depth of casters known. Depths that are all but one, as those of a floor right across the light, get
+// The same with no room added around the rectangle: for lixels that must lie just where they are asked for.
+Fit fitRectangleAsItIs(const LightFrame& frame, const OrientedRectangle& rectangle, double farDepth,
+                       const FitInput& input);
+
+// As fitRectangle() with the nearest depth of casters known. Depths that are all but one, as those of a floor right across the light, get
 // a span that floats resolve.
 Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double nearDepth, double farDepth,
                  const FitInput& input);

@@ -97,17 +97,17 @@ void findPoints(const FitInput& input, const BodyPlanes& planes, std::vector<Vec
 struct CutCorner
 {
     Vec3d p;
-    std::uint32_t planes = 0;
+    std::uint64_t planes = 0;
 };
 
 // A polytope between n planes has 2 n - 4 corners at most.
 using CutCorners = FixedVector<CutCorner, 2 * (6 + BodyPlanes::capacity()) - 4>;
-static_assert(6 + BodyPlanes::capacity() <= 32);
+static_assert(6 + BodyPlanes::capacity() <= 64);
 
 // What a plane leaves: the corners inside, and one on each edge that it crosses. Corners that share two planes share an edge (T.
 // Motzkin et al. The Double Description Method. 1953); a corner in the plane counts as inside, so that in terms of planes no
 // more than three ever meet, whatever rounding makes of places.
-CutCorners cut(const CutCorners& corners, const Plane& plane, std::uint32_t bit)
+CutCorners cut(const CutCorners& corners, const Plane& plane, std::uint64_t bit)
 {
     std::array<double, CutCorners::capacity()> distance;
     CutCorners kept;
@@ -119,7 +119,7 @@ CutCorners cut(const CutCorners& corners, const Plane& plane, std::uint32_t bit)
     for (std::size_t i = 0; i < corners.size(); ++i) {
         if (distance[i] < 0) continue;
         for (std::size_t j = 0; j < corners.size(); ++j) {
-            const std::uint32_t shared = corners[i].planes & corners[j].planes;
+            const std::uint64_t shared = corners[i].planes & corners[j].planes;
             if (distance[j] >= 0 || std::popcount(shared) < 2) continue;
             const double share = distance[i] / (distance[i] - distance[j]);
             kept.push_back({corners[i].p + share * (corners[j].p - corners[i].p), shared | bit});
@@ -150,7 +150,7 @@ void appendClippedBox(const Box& box, std::span<const Plane> planes, std::vector
     CutCorners corners;
     for (std::uint32_t i = 0; i < 8; ++i)
         corners.push_back({boxCorners[i], (i & 1 ? 2u : 1u) | (i & 2 ? 8u : 4u) | (i & 4 ? 32u : 16u)});
-    for (std::size_t i = 0; i < cuts; ++i) corners = cut(corners, *cutting[i], 64u << i);
+    for (std::size_t i = 0; i < cuts; ++i) corners = cut(corners, *cutting[i], std::uint64_t{64} << i);
     for (const CutCorner& corner : corners) points.push_back(corner.p);
 }
 

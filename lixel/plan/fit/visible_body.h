@@ -10,7 +10,7 @@
 namespace lixel {
 
 // Room for a view, a light's cone and range, and a region's half-spaces.
-using BodyPlanes = FixedVector<Plane, 26>;
+using BodyPlanes = FixedVector<Plane, 6 + CellPlanes::capacity() + 6 + 8>;
 
 // Corners of all of the region that can be seen and lit, Local: what the map must hold is their convex hull. Empty where there
 // is nothing. For a light at a point, corners at the light itself are left out: they have no place in its image.
