@@ -160,6 +160,7 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
     if (!options.json.empty()) expectWritable(options.json);
     const PathShooting path = isPath ? preparePath(options.picture, options.path) : PathShooting();
     const Shooting shooting = isPath ? path.shooting : prepare(options.picture, true);
+    expectPlanes(comparison.techniques, shooting);
     const auto executors = makeExecutors(options.executor);
 
     RunResults results;

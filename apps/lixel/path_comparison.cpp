@@ -179,7 +179,8 @@ void PathComparison::addTechnique(const ShotContext& context, std::size_t techni
                                   const Moment& now, const Followed& followed, const ViewSamples& all)
 {
     const TechniqueChoice& choice = options_.techniques[technique];
-    const auto plan = planFor(choice, *now.stage, now.view, context.shot.lights, options_.lixels, now.samples);
+    const PlanSubject subject{*now.stage, now.view, context.shot.lights, context.shooting.planes, now.samples};
+    const auto plan = planFor(choice, subject, options_.lixels, *executors_.front());
     const FramePlan* const planOrNull = plan ? &*plan : nullptr;
     std::vector<Said> said;
     for (std::size_t e = 0; e < executors_.size(); ++e) {

@@ -183,6 +183,10 @@ Opened openShooting(const PictureOptions& options)
     if (options.animation && (*options.animation < 0 || *options.animation >= int(scene.animations.size())))
         throw UsageError(fmt::format("--animation {}: the scene has {}{}", *options.animation, scene.animations.size(),
                                      scene.animations.empty() ? "" : ", counted from 0"));
+    if (out.viewFile) out.shooting.planes = out.viewFile->planes;
+    for (const NamedPlane& plane : scene.planes)
+        if (std::ranges::none_of(out.shooting.planes, [&](const NamedPlane& p) { return p.name == plane.name; }))
+            out.shooting.planes.push_back(plane);
     if (options.alongPath && out.path().empty())
         throw UsageError("--path: neither the scene nor the view file has a path");
     return out;

@@ -40,6 +40,7 @@ struct Picture
 {
     const Shot& shot;
     const Stage& stage;
+    std::span<const NamedPlane> planes;
     View view;
     ViewSamples samples;
     std::optional<FramePlan> plan;      // of a technique with a map
@@ -58,7 +59,8 @@ void expectPlanned(const FramePlan& plan, const TechniqueChoice& choice, std::sp
 void addShadows(Picture& picture, Executor& executor, const TechniqueChoice& choice, const LixelBudget& lixels)
 {
     const auto& lights = picture.shot.lights;
-    picture.plan = planFor(choice, picture.stage, picture.view, lights, lixels, picture.samples);
+    picture.plan =
+        planFor(choice, {picture.stage, picture.view, lights, picture.planes, picture.samples}, lixels, executor);
     if (!picture.plan) {
         picture.visibility = visibilityByRays(choice.technique, picture.stage, picture.view, picture.samples, lights);
         return;
@@ -179,13 +181,14 @@ int runRender(const RenderOptions& options)
     const LixelBudget lixels = readBudget(options.lixels, "--lixels", kMostLixelsASide);
     checkOptions(options);
     const Shooting shooting = prepare(options.picture, false);
+    expectPlanes(technique, shooting);
     const auto executor = makeExecutor(options.executor);
     Progress progress("render", 4);
     progress.step("scene");
     const Shot& shot = shooting.shots.front();
     const Stage stage = makeStage(shooting.scene, shooting.evaluateOptions, originOf(shooting, shot));
     progress.step("view samples");
-    Picture picture{shot, stage, viewOf(shooting, shot), {}, {}, {}};
+    Picture picture{shot, stage, shooting.planes, viewOf(shooting, shot), {}, {}, {}};
     picture.samples = executor->viewSamples(stage, picture.view);
     progress.step("shadows");
     addShadows(picture, *executor, technique.front(), lixels);

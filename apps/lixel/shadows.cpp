@@ -2,6 +2,7 @@
 #include "shadows.h"
 
 #include "exit_code.h"
+#include "lixel/plan/observe.h"
 #include "lixel/trace/exact_area.h"
 #include "lixel/trace/exact_visibility.h"
 #include "plan_file.h"
@@ -41,17 +42,48 @@ std::vector<TechniqueChoice> readTechniques(const std::string& list)
     return out;
 }
 
-std::optional<FramePlan> planFor(const TechniqueChoice& choice, const Stage& stage, const View& view,
-                                 std::span<const Light> lights, const LixelBudget& lixels, const ViewSamples& seen)
+void expectPlanes(std::span<const TechniqueChoice> techniques, const Shooting& shooting)
+{
+    std::string known;
+    for (const NamedPlane& plane : shooting.planes) known += (known.empty() ? "" : ", ") + oneLine(plane.name);
+    for (const TechniqueChoice& choice : techniques) {
+        const auto* map = std::get_if<MapTechnique>(&choice.technique);
+        const auto* planes = map ? std::get_if<PlanesPartition>(&map->partition) : nullptr;
+        if (!planes) continue;
+        for (const std::string& name : planes->names)
+            if (std::ranges::none_of(shooting.planes, [&](const NamedPlane& plane) { return plane.name == name; }))
+                throw UsageError(fmt::format("technique \"{}\": {} has no plane \"{}\" ({}); a view file can name planes",
+                                             choice.typed, shooting.sceneName, name,
+                                             known.empty() ? "it names none" : "it has: " + known));
+    }
+}
+
+std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubject& subject, const LixelBudget& lixels,
+                                 Executor& executor)
 {
     const auto* map = std::get_if<MapTechnique>(&choice.technique);
     if (!map) return std::nullopt;
-    const SceneBuffers& buffers = stage.buffers;
-    PlanInput input{view, lights, buffers.bounds.boxesWorld, buffers.triangles.originWorld, *map, lixels.total};
-    input.seen = &seen;
+    const SceneBuffers& buffers = subject.stage.buffers;
+    PlanInput input{subject.view, subject.lights, buffers.bounds.boxesWorld, buffers.triangles.originWorld, *map,
+                    lixels.total};
+    input.seen = &subject.seen;
     input.seenIsAll = true;
+    input.planes = subject.planes;
     input.lixelsOfRegions = lixels.ofRegions;
     input.given = choice.given;
+    const auto first = firstPassOf(*map, lixels.total);
+    if (!first) return planShadows(input);
+
+    PlanInput firstInput = input;
+    firstInput.technique = first->technique;
+    firstInput.lixels = first->lixels;
+    firstInput.lixelsOfRegions = {};
+    const FramePlan firstPlan = planShadows(firstInput);
+    std::vector<Visibility> visibility = executor.run(subject.stage, firstPlan, subject.seen);
+    for (Visibility& light : visibility) light.value.resize(subject.seen.size(), 0.0f);
+    const Observation observed = observe(subject.seen, subject.view, subject.lights, visibility);
+    input.observed = &observed;
+    input.lixelsSpent = std::int64_t(first->lixels.width) * first->lixels.height;
     return planShadows(input);
 }
 

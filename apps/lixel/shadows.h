@@ -4,6 +4,7 @@
 #include "executor.h"
 #include "lixel/plan/footprint.h"
 #include "lixel/plan/technique.h"
+#include "picture_options.h"
 #include "text.h"
 
 #include <optional>
@@ -24,9 +25,23 @@ struct TechniqueChoice
 // Throws UsageError for text, InputError for files.
 std::vector<TechniqueChoice> readTechniques(const std::string& list);
 
-// The plan of a technique with a map, for all lights; nothing for the others. `seen` is what the view sees.
-std::optional<FramePlan> planFor(const TechniqueChoice& choice, const Stage& stage, const View& view,
-                                 std::span<const Light> lights, const LixelBudget& lixels, const ViewSamples& seen);
+// Refuses names of planes that the scene does not have, with those it has.
+void expectPlanes(std::span<const TechniqueChoice> techniques, const Shooting& shooting);
+
+// What a plan is made for, next to the technique.
+struct PlanSubject
+{
+    const Stage& stage;
+    const View& view;
+    std::span<const Light> lights;
+    std::span<const NamedPlane> planes;
+    const ViewSamples& seen; // what the view sees
+};
+
+// The plan of a technique with a map, for all lights; nothing for the others. The executor runs the first pass of techniques that
+// have one.
+std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubject& subject, const LixelBudget& lixels,
+                                 Executor& executor);
 
 // What a technique without a map says, one a light. It is the same for all executors.
 std::vector<Visibility> visibilityByRays(const Technique& technique, const Stage& stage, const View& view,

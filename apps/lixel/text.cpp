@@ -43,7 +43,14 @@ LixelBudget readBudget(std::string_view text, std::string_view option, int most)
         rest.remove_prefix(comma + 1);
     }
     budget.total = budget.ofRegions.front();
-    if (budget.ofRegions.size() == 1) budget.ofRegions.clear();
+    if (budget.ofRegions.size() == 1) {
+        budget.ofRegions.clear();
+        return budget;
+    }
+    std::int64_t sum = 0;
+    for (const LixelSize& size : budget.ofRegions) sum += std::int64_t(size.width) * size.height;
+    budget.total.width = int(std::sqrt(double(sum)));
+    budget.total.height = int(sum / budget.total.width);
     return budget;
 }
 

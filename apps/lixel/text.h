@@ -15,7 +15,8 @@ namespace lixel::app {
 // "1024x768"; each side from 1 to `most`.
 LixelSize readSize(std::string_view text, std::string_view option, int most);
 
-// Of each light: one size is the total, several, split at commas, are those of its regions in their order.
+// Of each light: one size is the total. Several, split at commas, are those of the regions of techniques that have as many, in
+// their order; others have as many lixels in all.
 struct LixelBudget
 {
     LixelSize total{512, 512};

@@ -2,7 +2,6 @@
 #include "lixel/plan/allocate.h"
 
 #include "lixel/base/fixed_vector.h"
-#include "lixel/plan/footprint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,31 +10,78 @@
 namespace lixel {
 namespace {
 
-constexpr std::size_t kMostSamples = 512;
 constexpr std::size_t kMostRectangles = 64;
+constexpr std::size_t kMostTried = 8; // pieces for which all ways to halve are tried
 constexpr double kLeastOfEvenShare = 1.0 / 32;
 
 std::int64_t lixelsOf(const LixelRectangle& r) { return std::int64_t(r.width()) * r.height(); }
 
-} // namespace
-
-double needOf(const Fit& fit, const View& view, Vec3d originWorld, std::span<const Vec3d> seenLocal,
-              std::span<const Vec3d> seenNormal)
+// A rectangle in two, where the sum of shares comes nearest to a half.
+struct Halves
 {
-    if (seenLocal.empty()) return 0;
-    const LightImage image(fit.lightClipFromLocal, {0, 0, 1, 1, 0});
-    const std::size_t step = std::max<std::size_t>(1, seenLocal.size() / kMostSamples);
-    // Edge-on surfaces have endless lixels; no lixel matters beyond the whole picture.
-    const double most = std::hypot(view.width, view.height);
-    double sum = 0;
-    std::size_t taken = 0;
-    for (std::size_t i = step / 2; i < seenLocal.size(); i += step) {
-        ++taken;
-        if (const auto f = footprint(view, originWorld, image, seenLocal[i], seenNormal[i]))
-            sum += std::min(f->pixelsPerLixel, 64 * most);
-    }
-    return taken > 0 ? sum * double(seenLocal.size()) / double(taken) : 0;
+    LixelRectangle one, other;
+    std::size_t count = 0; // pieces in the first
+};
+
+Halves halved(LixelRectangle whole, std::span<const double> shares, bool acrossX)
+{
+    const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
+    std::size_t first = 0;
+    double before = 0;
+    while (first + 1 < shares.size() && (first == 0 || before + 0.5 * shares[first] < 0.5 * total))
+        before += shares[first++];
+
+    const int length = acrossX ? whole.width() : whole.height(), breadth = acrossX ? whole.height() : whole.width();
+    // Each part keeps room for its pieces; where lixels are so few that it cannot, pieces go to the other part.
+    const auto slabs = [breadth](std::size_t count) {
+        return int((count + std::size_t(breadth) - 1) / std::size_t(breadth));
+    };
+    const auto count = int(shares.size());
+    const int least = std::min(slabs(first), length - 1), most = length - slabs(shares.size() - first);
+    const double share = total > 0 ? before / total : 0.5;
+    const int at = std::clamp(int(std::lround(share * length)), least, std::max(least, most));
+    const double room = double(at) * breadth, roomOfOther = double(length - at) * breadth;
+    first = std::size_t(std::clamp(double(first), count - roomOfOther, room));
+    Halves halves{whole, whole, first};
+    if (acrossX) halves.one.x1 = halves.other.x0 = whole.x0 + at;
+    else halves.one.y1 = halves.other.y0 = whole.y0 + at;
+    return halves;
 }
+
+// Regions whose rectangles are looked for.
+struct Wanting
+{
+    std::span<const double> shares;
+    std::span<const Need> needs;
+
+    std::size_t size() const { return shares.size(); }
+    Wanting first(std::size_t n) const { return {shares.first(n), needs.first(n)}; }
+    Wanting after(std::size_t n) const { return {shares.subspan(n), needs.subspan(n)}; }
+};
+
+// The pieces with the least predicted error, which is returned.
+double leastError(LixelRectangle whole, const Wanting& wanting, std::span<LixelRectangle> pieces, std::span<bool> turned)
+{
+    if (wanting.size() == 1) {
+        const double upright = wanting.needs[0].within(whole.width(), whole.height());
+        const double across = wanting.needs[0].within(whole.height(), whole.width());
+        pieces[0] = whole;
+        turned[0] = across < upright;
+        return std::min(upright, across);
+    }
+    const auto cutAcross = [&](bool acrossX) {
+        const Halves halves = halved(whole, wanting.shares, acrossX);
+        const std::size_t n = halves.count;
+        return leastError(halves.one, wanting.first(n), pieces.first(n), turned.first(n)) +
+               leastError(halves.other, wanting.after(n), pieces.subspan(n), turned.subspan(n));
+    };
+    if (wanting.size() > kMostTried || std::min(whole.width(), whole.height()) < 2)
+        return cutAcross(whole.width() >= whole.height());
+    const double alongX = cutAcross(true), alongY = cutAcross(false);
+    return alongX < alongY ? cutAcross(true) : alongY;
+}
+
+} // namespace
 
 void sharesByNeed(std::span<double> needs)
 {
@@ -59,30 +105,19 @@ bool cutRectangle(LixelRectangle whole, std::span<const double> shares, std::spa
         pieces[0] = whole;
         return true;
     }
-    // Where the sum of shares comes nearest to a half.
-    const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
-    std::size_t first = 0;
-    double before = 0;
-    while (first + 1 < shares.size() && (first == 0 || before + 0.5 * shares[first] < 0.5 * total))
-        before += shares[first++];
+    const Halves halves = halved(whole, shares, whole.width() >= whole.height());
+    return cutRectangle(halves.one, shares.first(halves.count), pieces.first(halves.count)) &&
+           cutRectangle(halves.other, shares.subspan(halves.count), pieces.subspan(halves.count));
+}
 
-    const bool acrossX = whole.width() >= whole.height();
-    const int length = acrossX ? whole.width() : whole.height(), breadth = acrossX ? whole.height() : whole.width();
-    // Each part keeps room for its pieces; where lixels are so few that it cannot, pieces go to the other part.
-    const auto slabs = [breadth](std::size_t count) {
-        return int((count + std::size_t(breadth) - 1) / std::size_t(breadth));
-    };
-    const auto count = int(shares.size());
-    const int least = std::min(slabs(first), length - 1), most = length - slabs(shares.size() - first);
-    const double share = total > 0 ? before / total : 0.5;
-    const int at = std::clamp(int(std::lround(share * length)), least, std::max(least, most));
-    const double room = double(at) * breadth, roomOfOther = double(length - at) * breadth;
-    first = std::size_t(std::clamp(double(first), count - roomOfOther, room));
-    LixelRectangle one = whole, other = whole;
-    if (acrossX) one.x1 = other.x0 = whole.x0 + at;
-    else one.y1 = other.y0 = whole.y0 + at;
-    return cutRectangle(one, shares.subspan(0, first), pieces.subspan(0, first)) &&
-           cutRectangle(other, shares.subspan(first), pieces.subspan(first));
+bool cutRectangleByNeed(LixelRectangle whole, std::span<const double> shares, std::span<const Need> needs,
+                        std::span<LixelRectangle> pieces, std::span<bool> turned)
+{
+    LX_ASSERT(shares.size() == pieces.size() && needs.size() == pieces.size() && turned.size() == pieces.size());
+    LX_ASSERT(!pieces.empty());
+    if (lixelsOf(whole) < std::int64_t(shares.size())) return false;
+    leastError(whole, {shares, needs}, pieces, turned);
+    return true;
 }
 
 LixelSize packRectangles(std::span<const LixelSize> sizes, int layer, std::span<LixelRectangle> rectangles)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lixel/base/view.h"
-#include "lixel/plan/fit/fit.h"
 #include "lixel/plan/light_image.h"
+#include "lixel/plan/need.h"
 
 #include <optional>
 #include <span>
@@ -18,13 +17,7 @@ struct LixelSize
     friend bool operator==(const LixelSize&, const LixelSize&) = default;
 };
 
-// How much depends on a region's lixels: the sum, over its samples, of how long a lixel is in the picture if the region had one
-// lixel. A misclassified sample is one within a lixel or so of a shadow's edge, so errors go with it over the square root of
-// the lixels that the region gets. A few hundred samples, evenly taken, stand for all. 0 for no samples.
-double needOf(const Fit& fit, const View& view, Vec3d originWorld, std::span<const Vec3d> seenLocal,
-              std::span<const Vec3d> seenNormal);
-
-// The shares, adding up to 1, that make the sum of need / sqrt(share) least: they go with need^(2/3). No share is much less
+// The shares, adding up to 1, that make the sum of need / sqrt(share) least (need.h): they go with need^(2/3). No share is much less
 // than a 32nd of an even one. Equal shares where no need is known. In place: needs in, shares out.
 void sharesByNeed(std::span<double> needs);
 
@@ -32,6 +25,11 @@ void sharesByNeed(std::span<double> needs);
 // that pieces stay as square as they can. They do not overlap, have at least one lixel each and fill the whole. False
 // where there are fewer lixels than pieces.
 bool cutRectangle(LixelRectangle whole, std::span<const double> shares, std::span<LixelRectangle> pieces);
+
+// The same with pieces shaped for their needs: of all ways to halve along either side, the one with the least predicted error. A
+// piece may be used turned by a right angle: `turned` says so.
+bool cutRectangleByNeed(LixelRectangle whole, std::span<const double> shares, std::span<const Need> needs,
+                        std::span<LixelRectangle> pieces, std::span<bool> turned);
 
 // Packs rectangles of given sizes side by side, without turning them, and says how large the whole became: shelves of falling
 // height, about as wide as high.

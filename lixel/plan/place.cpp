@@ -21,13 +21,21 @@ void snapRow(Mat4d& clip, int row, int lixels, Vec3d originWorld)
 
 } // namespace
 
-Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout& lookup, Vec3d originWorld)
+Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout& lookup, Vec3d originWorld,
+            std::optional<bool> turn)
 {
     Mat4d clip = fit.lightClipFromLocal;
     // Row x is 1 / half size along x (points: of the light plane), so the larger side has the smaller row.
+    if (fit.pixels) {
+        const double band = 2 * std::ceil(lookup.reach);
+        clip.setRow(0, (1 - band / rectangle.width()) * clip.row(0));
+        clip.setRow(1, (1 - band / rectangle.height()) * clip.row(1));
+        return clip;
+    }
     const double sizeX = 1 / length(xyz(clip.row(0))), sizeY = 1 / length(xyz(clip.row(1)));
-    if ((rectangle.width() > rectangle.height() && sizeX < sizeY * (1 - kEqual)) ||
-        (rectangle.width() < rectangle.height() && sizeX * (1 - kEqual) > sizeY)) {
+    const bool isAcross = (rectangle.width() > rectangle.height() && sizeX < sizeY * (1 - kEqual)) ||
+        (rectangle.width() < rectangle.height() && sizeX * (1 - kEqual) > sizeY);
+    if (turn.value_or(isAcross)) {
         const Vec4d x = clip.row(0);
         clip.setRow(0, clip.row(1));
         clip.setRow(1, -1.0 * x); // a turn, not a mirror

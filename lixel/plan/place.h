@@ -10,7 +10,8 @@ namespace lixel {
 // Puts a fit, which knows nothing of resolution, into its rectangle of the atlas: turned by a right angle where that brings its
 // longer side along the rectangle's, and shrunk so that the lookup's whole reach around every receiver stays inside (the
 // guard band). A fit that snaps to the world is moved by part of a lixel, so that lixel borders lie on one grid fixed in the world.
-// Returns lightClipFromLocal whose NDC square is the whole rectangle.
-Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout& lookup, Vec3d originWorld);
+// `turn` says whether it is turned, where that is known. Returns lightClipFromLocal whose NDC square is the whole rectangle.
+Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout& lookup, Vec3d originWorld,
+            std::optional<bool> turn = {});
 
 } // namespace lixel

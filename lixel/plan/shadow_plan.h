@@ -2,6 +2,8 @@
 #pragma once
 
 #include "lixel/base/light.h"
+#include "lixel/base/observation.h"
+#include "lixel/base/plane.h"
 #include "lixel/base/view.h"
 #include "lixel/base/view_samples.h"
 #include "lixel/plan/allocate.h"
@@ -45,8 +47,13 @@ struct PlanInput
     const ViewSamples* seen = nullptr;
     bool seenIsAll =
         false; // it lists every receiver that will be asked: an else(...) that none of them needs has no map
-    std::span<const LixelSize> lixelsOfRegions = {}; // in the order of regions, in place of `lixels`, where not empty
+    std::span<const LixelSize> lixelsOfRegions = {}; // in the order of regions, in place of `lixels`, where there are as many
     std::span<const GivenLight> given = {};          // for matrix(file) and plan(file)
+    std::span<const NamedPlane> planes = {};         // that planes(...) may name
+    // Where shadows end, as a first pass or an earlier frame saw it: shares and choices are made by it, else by `seen`.
+    const Observation* observed = nullptr;
+    // Spent of each light's lixels before this plan, on the first pass that observed.
+    std::int64_t lixelsSpent = 0;
 };
 
 // One map: a region's projection and its place.
@@ -55,6 +62,8 @@ struct PlannedRegion
     Mat4d lightClipFromLocal; // lixel's convention; its NDC square is the whole rectangle
     LixelRectangle rectangle;
     CellPlanes halfSpacesLocal = {}; // what it asks of receivers that regions before it do not serve
+    int plane = -1;                  // of a plane's region: which of PlanInput::planes, or of planes(auto) those found
+    std::optional<PixelRectangle> pixels = {}; // of a map with a lixel a pixel: those, its guard band not among them
 };
 
 // What was decided for one light.
@@ -62,6 +71,8 @@ struct ShadowPlan
 {
     std::vector<PlannedRegion> regions; // in the order they serve; empty where refused
     std::optional<FitFailure> refused;
+
+    std::vector<LeftOutPlane> leftOut; // an else(...) serves what is seen of them; `plane` as in PlannedRegion
 };
 
 // Layout (known before the frame is drawn) and tables (what shaders read).
@@ -72,6 +83,7 @@ struct FramePlan
     LookupLayout lookup;
     Vec3d originWorld;
     std::vector<ShadowPlan> lights; // one a light, in the input's order
+    std::int64_t lixelsSpent = 0;   // of each light, on a first pass
 
     std::vector<shared::ShadowRegion> regionTable;
     std::vector<shared::vec4> halfSpaceTable; // xyz, w: inside where dot(xyz, pointLocal) + w >= 0
@@ -79,6 +91,14 @@ struct FramePlan
 
     std::int64_t lixelsOf(std::size_t light) const; // every lixel allocated for it
 };
+
+// What a technique wants drawn and observed before its plan, where no earlier frame tells where shadows end.
+struct FirstPass
+{
+    MapTechnique technique;
+    LixelSize lixels; // of each light; they count
+};
+std::optional<FirstPass> firstPassOf(const MapTechnique& technique, LixelSize lixels);
 
 // `recycled` is an earlier plan whose storage is used again: with it and the same scratch, a frame like the last one allocates
 // nothing.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/technique.h"
 
+#include "lixel/plan/partition/planes.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -108,6 +110,7 @@ public:
         return true;
     }
     bool areAllTaken() const { return left_.empty(); }
+    std::span<const std::string_view> rest() const { return left_; }
 
 private:
     std::vector<std::string_view> left_;
@@ -187,6 +190,53 @@ Answer takePartition(const Word& word, Parts& parts)
     return setOnce(parts.partition, Partition(PssmPartition{*count, *lambda}), "partition");
 }
 
+std::optional<Twist> twistNamed(std::string_view name)
+{
+    if (name == "none") return Twist::None;
+    if (name == "tight") return Twist::Tight;
+    if (name == "line") return Twist::Line;
+    return std::nullopt;
+}
+
+// planes(floor, wall, twist=line), planes(auto).
+Answer takePlanes(const Word& word, Parts& parts)
+{
+    if (word.name != "planes") return std::nullopt;
+    Arguments arguments(word);
+    PlanesPartition planes;
+    if (const auto text = arguments.take("twist")) {
+        const auto twist = twistNamed(*text);
+        if (!twist) return "planes takes twist=none, twist=tight or twist=line";
+        planes.twist = *twist;
+    }
+    const bool isAuto = arguments.takeFlag("auto");
+    for (const std::string_view name : arguments.rest()) {
+        if (name.empty() || name.find_first_of("=+()") != std::string_view::npos)
+            return fmt::format("\"{}\" is no name of a plane", name);
+        if (std::find(planes.names.begin(), planes.names.end(), name) != planes.names.end())
+            return fmt::format("plane \"{}\" twice", name);
+        planes.names.emplace_back(name);
+    }
+    if (isAuto == !planes.names.empty()) return "planes takes names of planes, or auto";
+    if (planes.names.size() > kMostPlanes) return fmt::format("planes takes {} planes at most", kMostPlanes);
+    return setOnce(parts.partition, Partition(planes), "partition");
+}
+
+Answer takePlaneOptimal(const Word& word, Parts& parts)
+{
+    if (word.name != "plane-optimal") return std::nullopt;
+    Arguments arguments(word);
+    PlaneOptimalFit fit;
+    fit.isOfSamples = arguments.takeFlag("desired-view");
+    if (const auto uncovered = arguments.take("uncovered")) {
+        if (*uncovered != "lit")
+            return "plane-optimal takes uncovered=lit; without it, what is not covered goes to else(...)";
+        fit.uncoveredIsLit = true;
+    }
+    if (!arguments.areAllTaken()) return "plane-optimal takes desired-view and uncovered=lit";
+    return setOnce(parts.fit, FitChoice(fit), "fit");
+}
+
 Answer takeFit(const Word& word, Parts& parts)
 {
     Arguments arguments(word);
@@ -258,12 +308,16 @@ Answer takeAllocation(const Word& word, Parts& parts)
     const std::string_view value = trimmed(word.name.substr(equals + 1));
     if (value == "need") return setOnce(parts.allocation, Allocation::Need, "allocation");
     if (value == "share") return setOnce(parts.allocation, Allocation::Share, "allocation");
-    return "allocation= takes need or share";
+    if (value == "exact") return setOnce(parts.allocation, Allocation::Exact, "allocation");
+    return "allocation= takes need, share or exact";
 }
+
+bool isPlanes(const Partition& partition) { return std::holds_alternative<PlanesPartition>(partition); }
 
 FitChoice fitOr(const Parts& parts)
 {
     if (parts.fit) return *parts.fit;
+    if (parts.partition && isPlanes(*parts.partition)) return PlaneOptimalFit{};
     const bool isSdsm = parts.partition && std::holds_alternative<SdsmPartition>(*parts.partition);
     if (isSdsm && !parts.isStable) return DesiredViewFit{};
     return FocusedFit{};
@@ -286,6 +340,8 @@ Answer takeElse(const Word& word, Parts& parts)
         if (!part) return fmt::format("\"{}\" is not of the form word(value, ...)", piece);
         Answer answer = takePartition(*part, inside);
         if (!answer) answer = takeFit(*part, inside);
+        if (!answer && (part->name == "planes" || part->name == "plane-optimal"))
+            return "planes and plane-optimal go before else(...), not into it";
         if (!answer) return fmt::format("else(...) takes a partition and a fit, not \"{}\"", piece);
         if (!answer->empty()) return answer;
     }
@@ -298,7 +354,8 @@ Answer takeElse(const Word& word, Parts& parts)
 // An empty string, or what is wrong with the word.
 std::string take(const Word& word, Parts& parts)
 {
-    for (const auto reader : {takePartition, takeFit, takeLookup, takeNoMap, takeAllocation, takeElse})
+    for (const auto reader :
+         {takePartition, takePlanes, takeFit, takePlaneOptimal, takeLookup, takeNoMap, takeAllocation, takeElse})
         if (const Answer answer = reader(word, parts)) return *answer;
     return fmt::format("\"{}\" is not known; known are {}", word.name, knownWords());
 }
@@ -313,6 +370,11 @@ std::string checkTogether(const MapTechnique& map, const Parts& parts)
     if (map.isStable && !canBeStable) return "stable goes with focused and lispsm";
     if (map.isStable && !isWhole && std::holds_alternative<LispsmFit>(map.fit))
         return "lispsm(stable) goes with no partition: cells follow the camera, and it with them";
+    const auto* planeOptimal = std::get_if<PlaneOptimalFit>(&map.fit);
+    if (planeOptimal && !isPlanes(map.partition)) return "plane-optimal needs regions with planes: planes(...)";
+    if (planeOptimal && planeOptimal->uncoveredIsLit && map.otherwise) return "uncovered=lit leaves nothing to else(...)";
+    if (map.isStable && isPlanes(map.partition)) return "stable goes with no planes(...): their maps follow the picture";
+    if (map.allocation == Allocation::Exact && !planeOptimal) return "allocation=exact goes with plane-optimal";
     if (isGiven(map.fit) && !isWhole)
         return "matrix(file) and plan(file) have their own regions: no partition goes with them";
     if (parts.allocation && isWhole && !map.otherwise) return "allocation= needs more than one region";
@@ -324,6 +386,24 @@ std::string name(const WholePartition&) { return "whole"; }
 std::string name(const CubePartition&) { return "cube"; }
 std::string name(const PssmPartition& pssm) { return fmt::format("pssm({},lambda={})", pssm.count, pssm.lambda); }
 std::string name(const SdsmPartition& sdsm) { return fmt::format("sdsm({})", sdsm.count); }
+std::string_view nameOf(Twist twist)
+{
+    if (twist == Twist::None) return "none";
+    return twist == Twist::Tight ? "tight" : "line";
+}
+
+std::string name(const PlanesPartition& planes)
+{
+    std::string names = planes.names.empty() ? "auto" : "";
+    for (const std::string& plane : planes.names) names += (names.empty() ? "" : ",") + plane;
+    return fmt::format("planes({},twist={})", names, nameOf(planes.twist));
+}
+std::string name(const PlaneOptimalFit& fit)
+{
+    std::string arguments = fit.isOfSamples ? "desired-view" : "";
+    if (fit.uncoveredIsLit) arguments += arguments.empty() ? "uncovered=lit" : ",uncovered=lit";
+    return arguments.empty() ? "plane-optimal" : "plane-optimal(" + arguments + ")";
+}
 std::string name(const UniformFit&) { return "uniform"; }
 std::string name(const FocusedFit&) { return "focused"; }
 std::string name(const DesiredViewFit& fit) { return fit.isRotated ? "desired-view(rotated)" : "desired-view"; }
@@ -347,6 +427,12 @@ std::string nameOfChoice(const std::variant<Choices...>& choice)
     return std::visit([](const auto& c) { return name(c); }, choice);
 }
 
+std::string_view nameOf(Allocation allocation)
+{
+    if (allocation == Allocation::Need) return "need";
+    return allocation == Allocation::Share ? "share" : "exact";
+}
+
 // `stable` is written with the fit.
 std::string name(const MapTechnique& map)
 {
@@ -355,7 +441,7 @@ std::string name(const MapTechnique& map)
     if (map.otherwise)
         text += "+else(" + nameOfChoice(map.otherwise->partition) + "+" + nameOfChoice(map.otherwise->fit) + ")";
     if (map.otherwise || !std::holds_alternative<WholePartition>(map.partition))
-        text += map.allocation == Allocation::Need ? "+allocation=need" : "+allocation=share";
+        text += fmt::format("+allocation={}", nameOf(map.allocation));
     return text + "+" + nameOfChoice(map.store) + "+" + nameOfChoice(map.kernel);
 }
 
@@ -383,6 +469,9 @@ Expected<Technique, std::string> parseTechnique(std::string_view text)
     technique.isStable = parts.isStable;
     technique.allocation = parts.allocation.value_or(parts.isStable ? Allocation::Share : Allocation::Need);
     technique.otherwise = parts.otherwise;
+    if (const auto* planes = std::get_if<PlaneOptimalFit>(&technique.fit);
+        planes && !planes->uncoveredIsLit && !technique.otherwise)
+        technique.otherwise = Fallback{};
     if (parts.store) technique.store = *parts.store;
     if (parts.kernel) technique.kernel = *parts.kernel;
     if (const std::string wrong = checkTogether(technique, parts); !wrong.empty()) return fail(wrong);
@@ -392,7 +481,10 @@ Expected<Technique, std::string> parseTechnique(std::string_view text)
 bool needsViewSamples(const MapTechnique& technique)
 {
     const auto isMadeOfThem = [](const Partition& partition, const FitChoice& fit) {
-        return std::holds_alternative<SdsmPartition>(partition) || std::holds_alternative<DesiredViewFit>(fit);
+        const auto* planes = std::get_if<PlanesPartition>(&partition);
+        const auto* planeOptimal = std::get_if<PlaneOptimalFit>(&fit);
+        return std::holds_alternative<SdsmPartition>(partition) || std::holds_alternative<DesiredViewFit>(fit) ||
+               (planes && planes->names.empty()) || (planeOptimal && planeOptimal->isOfSamples);
     };
     return isMadeOfThem(technique.partition, technique.fit) ||
            (technique.otherwise && isMadeOfThem(technique.otherwise->partition, technique.otherwise->fit));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lixel/base/expected.h"
+#include "lixel/plan/fit/plane_optimal.h"
 #include "lixel/plan/fit/psm.h"
 
 #include <optional>
@@ -16,7 +17,7 @@
 //   word(value, key=value, ...) joined by +, order free; word:a:b means word(a,b)
 //
 // Parts left out take their default: whole + focused + depths(1) + pcf(1); sdsm(n) goes with desired-view, and if
-// stable with focused. `stable` stands among the arguments of a partition or fit and is the technique's: pssm(4,stable) is
+// stable with focused; planes(...) goes with plane-optimal, which ends in else(focused) but where uncovered=lit. `stable` stands among the arguments of a partition or fit and is the technique's: pssm(4,stable) is
 // pssm(4)+focused(stable).
 namespace lixel {
 
@@ -40,7 +41,14 @@ struct CubePartition
 {
     friend bool operator==(const CubePartition&, const CubePartition&) = default;
 };
-using Partition = std::variant<WholePartition, PssmPartition, SdsmPartition, CubePartition>;
+// Planes of interest by the names that the scene gives them, in order of priority; or those that lixel finds in what the view sees.
+struct PlanesPartition
+{
+    std::vector<std::string> names; // empty: auto
+    Twist twist = Twist::Tight;
+    friend bool operator==(const PlanesPartition&, const PlanesPartition&) = default;
+};
+using Partition = std::variant<WholePartition, PssmPartition, SdsmPartition, CubePartition, PlanesPartition>;
 
 // Fits.
 struct UniformFit
@@ -86,12 +94,13 @@ struct PlanFit
     friend bool operator==(const PlanFit&, const PlanFit&) = default;
 };
 using FitChoice = std::variant<UniformFit, FocusedFit, DesiredViewFit, MinimalFrustumFit, PsmFit, TsmFit, LispsmFit,
-                               MatrixFit, PlanFit>;
+                               PlaneOptimalFit, MatrixFit, PlanFit>;
 
 // How the regions of a light share its lixels.
 enum class Allocation {
-    Need, // so that the predicted error of all is least; evenly where there are no view samples to predict from
-    Share // evenly; the default of stable techniques, whose lixels must not change size
+    Need,  // so that the predicted error of all is least; evenly where there are no view samples to predict from
+    Share, // evenly; the default of stable techniques, whose lixels must not change size
+    Exact  // planes have a lixel a pixel, as many as that takes, just where pixels are; others share what is left by need
 };
 
 // Stores and kernels.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kAnyLight = "directional, spot, point";
 
-constexpr std::array<TechniqueWord, 19> kWords{{
+constexpr std::array<TechniqueWord, 21> kWords{{
     {"partition", "whole", "one region: all of space", "", "all", ""},
     {"partition", "pssm(n, lambda=0.5, stable)",
      "n = 1 to 16 regions along the line of sight, split between evenly (0) and logarithmically (1)",
@@ -17,6 +17,9 @@ constexpr std::array<TechniqueWord, 19> kWords{{
      "Lauritzen, Salvi, Lefohn 2011", "all", "no-view-samples, nothing-in-view"},
     {"partition", "cube", "the faces of a cube around the light that something is seen in", "Greene 1986",
      "spot, point; directional lights have one region", ""},
+    {"partition", "planes(name, ..., twist=tight/none/line)",
+     "the light rays that meet each of some planes of the scene, in this order; planes(auto) finds them in what is seen",
+     "Chong, Gortler 2004", "all", "no-such-plane; planes(auto): no-view-samples"},
     {"fit", "uniform", "the whole scene, whatever the view sees (the papers' \"normal\" map)", "Williams 1978",
      kAnyLight, "extent-not-in-hemisphere, nothing-in-view"},
     {"fit", "focused(stable)",
@@ -36,11 +39,16 @@ constexpr std::array<TechniqueWord, 19> kWords{{
      "Martin, Tan 2004", kAnyLight, "extent-not-in-hemisphere, nothing-in-view"},
     {"fit", "lispsm(stable)", "a perspective across the light as strong as makes near and far errors equal",
      "Wimmer, Scherzer, Purgathofer 2004", kAnyLight, "extent-not-in-hemisphere, nothing-in-view"},
+    {"fit", "plane-optimal(desired-view, uncovered=lit)",
+     "of a region's plane every pixel has its lixel; what no plane holds goes to else(...), focused if not given",
+     "Chong, Gortler 2004", kAnyLight, "plane-faces-away, light-in-plane, eye-in-plane, nothing-in-view"},
     {"fit", "matrix(file)", "another engine's matrix for each light", "", kAnyLight, "not-given"},
     {"fit", "plan(file)", "another engine's regions, rectangles and matrices", "", kAnyLight, "not-given"},
     {"fallback", "else(partition+fit)", "serves what falls out of all regions; its lixels count", "", "all", ""},
-    {"allocation", "allocation=need/share",
-     "lixels of several regions: so that the predicted error is least, or the same number for each", "", "all", ""},
+    {"allocation", "allocation=need/share/exact",
+     "lixels of several regions: so that the predicted error is least, the same number for each, or for planes a lixel "
+     "a pixel",
+     "", "all", "too-few-lixels"},
     {"store", "depths(n)", "n depths a lixel; n = 1", "Williams 1978", "all", ""},
     {"kernel", "pcf(k)", "k = 1, 4, 9, 16, 25 taps one lixel apart, results averaged", "Reeves, Salesin, Cook 1987",
      "all", ""},

@@ -12,7 +12,9 @@ FitResult fitDesiredView(const FitInput& input, bool isRotated)
     if (input.seenLocal.empty()) return Unexpected{FitFailure::NothingInView};
     const auto body = frameAround(input, input.seenLocal);
     if (!body) return Unexpected{body.error()};
-    return fitTightly(*body, isRotated ? RectangleKind::LeastArea : RectangleKind::Upright, input);
+    Fit fit = fitTightly(*body, isRotated ? RectangleKind::LeastArea : RectangleKind::Upright, input);
+    fit.isOfSamples = true;
+    return fit;
 }
 
 } // namespace lixel

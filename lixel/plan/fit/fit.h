@@ -32,6 +32,24 @@ enum class FitFailure {
 std::string_view nameOf(FitFailure failure);
 std::string_view sentenceFor(FitFailure failure);
 
+// A convex set of light rays (light_rays.h): a spherical polygon, its corners in order.
+inline constexpr std::size_t kMostRayCorners = 40;
+using RayPolygon = FixedVector<Vec3d, kMostRayCorners>;
+
+// A receiver that predictions of errors ask (need.h).
+struct NeedSample
+{
+    Vec3d pointLocal, normal;
+    double weight = 1; // pixels that it stands for, times how likely a shadow ends there
+};
+
+// A plane of interest that has no region, and why.
+struct LeftOutPlane
+{
+    int plane = -1;
+    FitFailure why = FitFailure::NothingInView;
+};
+
 // Room that fits work in. The same one again and again allocates nothing after the first frames.
 struct FitScratch
 {
@@ -42,8 +60,11 @@ struct FitScratch
     };
     std::vector<Vec3d> points, corners, casterPoints, directions;
     OnPlane plane;
-    // View samples that face the light, then those of the region.
-    std::vector<Vec3d> seenLocal, seenNormal, seenInCellLocal, seenInCellNormal;
+    // View samples that face the light, those of them that no region serves yet, and those of a region.
+    std::vector<Vec3d> seenLocal, seenNormal, seenUnservedLocal, seenInCellLocal;
+    std::vector<RayPolygon> rays, raysRoom; // those that no region serves yet
+    std::vector<NeedSample> need;
+    std::vector<LeftOutPlane> leftOut;
 };
 
 // Half-spaces of a region, Local, inside positive.
@@ -96,8 +117,13 @@ struct Fit
 {
     Mat4d lightClipFromLocal;
     bool snapsToWorld = false; // parallel and of constant size: its lixels are to keep their places in the world
-    std::optional<Plane> narrowedToLocal =
-        {}; // receivers outside are the next region's: too near to the light for this map
+
+    // What of its region it holds. All that may be seen, but for a fit made from view samples; within these half-spaces through
+    // the light, where it is narrowed to some rays.
+    bool isOfSamples = false;
+    CellPlanes holdsLocal{};
+    std::optional<Plane> narrowedToLocal = {}; // receivers outside are too near to the light for this map: the next region's
+
     std::optional<PixelRectangle> pixels = {}; // the NDC square is this part of the picture, at a lixel a pixel
 };
 

@@ -184,6 +184,8 @@ FitResult fitPlaneOptimal(const FitInput& input, const PlaneOptimalFit& fit)
     std::vector<Vec3d>& points = input.scratch.points;
     findPoints(input, fit.isOfSamples, {within.data(), within.size()}, points);
     Fit out;
+    out.isOfSamples = fit.isOfSamples;
+    for (const Plane& side : within) out.holdsLocal.push_back(side);
     out.narrowedToLocal = awayFromLight(*frame, points);
     if (out.narrowedToLocal) {
         within.push_back(*out.narrowedToLocal);

@@ -14,6 +14,8 @@ struct Cell
     CellPlanes servesLocal;
     // What its fit must hold: all that it serves, and a little more, for the rounding of those tests.
     CellPlanes holdsLocal;
+    std::optional<PlaneOfCell> plane = {}; // of cells made for a plane
+    int planeNumber = -1;                  // which of PlanInput::planes, or of those found, in their order
 };
 
 inline constexpr std::size_t kMostCells = 16;

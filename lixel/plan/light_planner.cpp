@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/light_planner.h"
+
+#include "lixel/plan/fit/desired_view.h"
+#include "lixel/plan/fit/focused.h"
+#include "lixel/plan/fit/lispsm.h"
+#include "lixel/plan/fit/minimal_frustum.h"
+#include "lixel/plan/fit/plane_optimal.h"
+#include "lixel/plan/fit/psm.h"
+#include "lixel/plan/fit/tsm.h"
+#include "lixel/plan/fit/uniform.h"
+#include "lixel/plan/fit/visible_body.h"
+#include "lixel/plan/partition/cascades.h"
+#include "lixel/plan/partition/cube.h"
+#include "lixel/plan/place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lixel {
+namespace {
+
+// A plane is chosen when it lowers the predicted error to this part at least.
+constexpr double kGainOfPlane = 0.95;
+
+struct FitOf
+{
+    const FitInput& input;
+    FitResult operator()(const UniformFit&) const { return fitUniform(input); }
+    FitResult operator()(const FocusedFit&) const { return fitFocused(input); }
+    FitResult operator()(const DesiredViewFit& fit) const { return fitDesiredView(input, fit.isRotated); }
+    FitResult operator()(const MinimalFrustumFit&) const { return fitMinimalFrustum(input); }
+    FitResult operator()(const PsmFit& fit) const { return fitPsm(input, fit.shift); }
+    FitResult operator()(const TsmFit& fit) const { return fitTsm(input, fit.focusDepth); }
+    FitResult operator()(const LispsmFit&) const { return fitLispsm(input); }
+    FitResult operator()(const PlaneOptimalFit& fit) const { return fitPlaneOptimal(input, fit); }
+    FitResult operator()(const MatrixFit&) const { return Unexpected{FitFailure::NotGiven}; }
+    FitResult operator()(const PlanFit&) const { return Unexpected{FitFailure::NotGiven}; }
+};
+
+struct CellsOf
+{
+    const FitInput& input;
+    CellsResult operator()(const WholePartition&) const { return wholeSpace(); }
+    CellsResult operator()(const PssmPartition& p) const { return splitPssm(input, p.count, p.lambda); }
+    CellsResult operator()(const SdsmPartition& p) const { return splitSdsm(input, p.count); }
+    CellsResult operator()(const CubePartition&) const { return splitCube(input); }
+    CellsResult operator()(const PlanesPartition&) const { return Unexpected{FitFailure::NoSuchPlane}; }
+};
+
+// The receivers that one light's maps are for: those of the view samples that face it.
+void gatherSeen(const PlanInput& input, const Light& light, FitScratch& scratch)
+{
+    scratch.seenLocal.clear();
+    scratch.seenNormal.clear();
+    if (!input.seen) return;
+    for (std::size_t i = 0; i < input.seen->size(); ++i) {
+        const Vec3d p = toDouble(input.seen->positionLocal[i]), n = toDouble(input.seen->normal[i]);
+        if (!isLightFacing(light, input.originWorld, p, n)) continue;
+        scratch.seenLocal.push_back(p);
+        scratch.seenNormal.push_back(n);
+    }
+}
+
+bool holdsPoint(const CellPlanes& cell, Vec3d p)
+{
+    return std::all_of(cell.begin(), cell.end(), [&](const Plane& plane) { return plane.signedDistance(p) >= 0; });
+}
+
+void gatherSeenIn(const CellPlanes& cell, std::span<const Vec3d> seenLocal, std::vector<Vec3d>& inside)
+{
+    inside.clear();
+    for (const Vec3d& p : seenLocal)
+        if (holdsPoint(cell, p)) inside.push_back(p);
+}
+
+// The planes of some names; nothing where one is not there.
+std::optional<InterestPlanes> namedPlanes(const PlanesPartition& partition, const PlanInput& input, FitScratch& scratch)
+{
+    InterestPlanes out;
+    for (const std::string& name : partition.names) {
+        const auto found = std::find_if(input.planes.begin(), input.planes.end(),
+                                        [&](const NamedPlane& plane) { return plane.name == name; });
+        if (found == input.planes.end()) return std::nullopt;
+        out.push_back(
+            interestPlane(*found, input.originWorld, int(found - input.planes.begin()), scratch.plane));
+    }
+    return out;
+}
+
+} // namespace
+
+LightPlanner::LightPlanner(const PlanInput& input, std::size_t number, const Box& sceneLocal, FitScratch& scratch)
+    : input_(input),
+      scratch_(scratch),
+      fitInput_{input.view,
+                input.lights[number],
+                input.originWorld,
+                input.casterBoxesWorld,
+                sceneLocal,
+                scratch,
+                {},
+                input.seen != nullptr,
+                {},
+                input.technique.isStable,
+                {},
+                input.technique.allocation == Allocation::Exact}
+{
+    const Light& light = input.lights[number];
+    gatherSeen(input, light, scratch);
+    seenLocal_ = scratch.seenLocal;
+    gatherNeedSamples({input.observed, number, scratch.seenLocal, scratch.seenNormal}, light, input.originWorld, scratch.need);
+}
+
+std::optional<FitFailure> LightPlanner::choose(std::vector<LeftOutPlane>& leftOut)
+{
+    const auto* planes = std::get_if<PlanesPartition>(&input_.technique.partition);
+    std::optional<FitFailure> refused;
+    if (!planes) {
+        refused = addElseTo(addAll(input_.technique.partition, input_.technique.fit));
+    } else if (planes->names.empty()) {
+        if (!input_.seen) return FitFailure::NoViewSamples;
+        refused = tryPlanes(bestPlanes(planes->twist), planes->twist, leftOut);
+    } else {
+        const auto named = namedPlanes(*planes, input_, scratch_);
+        if (!named) return FitFailure::NoSuchPlane;
+        refused = tryPlanes(*named, planes->twist, leftOut);
+    }
+    if (refused) return refused;
+    if (candidates_.empty()) return FitFailure::NothingInView;
+    findNeeds();
+    // The last one asks nothing, so that rounding loses no one between regions; but what its map cannot hold it never serves.
+    Candidate& last = candidates_.back();
+    last.halfSpacesLocal.clear();
+    if (last.fit.narrowedToLocal) last.halfSpacesLocal.push_back(*last.fit.narrowedToLocal);
+    return std::nullopt;
+}
+
+// What serves the rest, where there is any.
+std::optional<FitFailure> LightPlanner::addElseTo(std::optional<FitFailure> refused)
+{
+    const auto& otherwise = input_.technique.otherwise;
+    if (!otherwise || !(keepUnserved() || refused)) return refused;
+    if (std::holds_alternative<PlanesPartition>(input_.technique.partition)) findUnservedRays();
+    const std::optional<FitFailure> refusedToo = addAll(otherwise->partition, otherwise->fit);
+    return refused ? refusedToo : std::nullopt;
+}
+
+// Regions of planes, and what serves the rest. A plane that has none is left out, with its reason; refused is only what leaves
+// no region at all.
+std::optional<FitFailure> LightPlanner::tryPlanes(const InterestPlanes& planes, Twist twist,
+                                                  std::vector<LeftOutPlane>& leftOut)
+{
+    candidates_.clear();
+    leftOut.clear();
+    isCropping_ = false;
+    seenLocal_ = scratch_.seenLocal;
+    fitInput_.cellLocal.clear();
+    std::optional<FitFailure> refused = FitFailure::NoSuchPlane;
+    if (!planes.empty()) {
+        const CellsResult cells = splitPlanes(fitInput_, {planes.data(), planes.size()}, twist);
+        for (const Cell& cell : *cells)
+            if (const auto failure = add(cell, input_.technique.fit)) leftOut.push_back({cell.planeNumber, *failure});
+        fitInput_.plane.reset();
+        if (!candidates_.empty()) refused.reset();
+        else refused = leftOut.front().why;
+    }
+    return addElseTo(refused);
+}
+
+// The planes that pay: one after the other the one that lowers the predicted error most, as long as one does so by enough.
+InterestPlanes LightPlanner::bestPlanes(Twist twist)
+{
+    std::vector<LeftOutPlane>& leftOut = scratch_.leftOut;
+    InterestPlanes chosen;
+    tryPlanes(chosen, twist, leftOut);
+    double least = predictedError();
+    for (;;) {
+        double best = kGainOfPlane * least;
+        std::optional<InterestPlanes> better;
+        for (std::size_t i = 0; i < input_.planes.size(); ++i) {
+            if (std::any_of(chosen.begin(), chosen.end(), [&](const InterestPlane& p) { return p.number == int(i); })) continue;
+            InterestPlanes with = chosen;
+            with.push_back(interestPlane(input_.planes[i], input_.originWorld, int(i), scratch_.plane));
+            if (tryPlanes(with, twist, leftOut)) continue;
+            const double error = predictedError();
+            if (error < best) best = error, better = with;
+        }
+        if (!better) return chosen;
+        chosen = *better;
+        least = best;
+        if (chosen.size() == chosen.capacity()) return chosen;
+    }
+}
+
+// Of the candidates at the best shares and aspects, for one lixel in all.
+double LightPlanner::predictedError()
+{
+    if (candidates_.empty()) return std::numeric_limits<double>::infinity();
+    findNeeds();
+    double sum = 0;
+    for (const Candidate& candidate : candidates_) sum += std::cbrt(candidate.need.best() * candidate.need.best());
+    return sum * std::sqrt(sum);
+}
+
+std::optional<FitFailure> LightPlanner::addAll(const Partition& partition, const FitChoice& fit)
+{
+    fitInput_.cellLocal.clear();
+    fitInput_.seenLocal = seenLocal_;
+    const CellsResult cells = std::visit(CellsOf{fitInput_}, partition);
+    if (!cells) return cells.error();
+    std::optional<FitFailure> refused;
+    for (const Cell& cell : *cells) {
+        const auto failure = add(cell, fit);
+        // Nothing to see in one cell is no loss.
+        if (failure && *failure != FitFailure::NothingInView) refused = failure;
+    }
+    return refused;
+}
+
+// The one that serves a receiver; nothing where none does.
+LightPlanner::Candidate* LightPlanner::serving(Vec3d pointLocal)
+{
+    const auto found = std::find_if(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
+        if (!holdsPoint(candidate.halfSpacesLocal, pointLocal)) return false;
+        const Vec4d c = candidate.fit.lightClipFromLocal * point(pointLocal);
+        return c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z <= c.w;
+    });
+    return found == candidates_.end() ? nullptr : found;
+}
+
+void LightPlanner::findNeeds()
+{
+    for (Candidate& candidate : candidates_) candidate.need = {};
+    for (const NeedSample& sample : scratch_.need)
+        if (Candidate* candidate = serving(sample.pointLocal))
+            candidate->need += needOf(candidate->fit, input_.view, input_.originWorld, sample);
+}
+
+// From here on only those view samples count that no region holds. Whether there may be any such receiver.
+bool LightPlanner::keepUnserved()
+{
+    if (!input_.seen) return true;
+    scratch_.seenUnservedLocal.clear();
+    for (const Vec3d& p : scratch_.seenLocal)
+        if (!serving(p)) scratch_.seenUnservedLocal.push_back(p);
+    seenLocal_ = scratch_.seenUnservedLocal;
+    return !seenLocal_.empty() || !input_.seenIsAll;
+}
+
+// C^fallback, the rays that regions so far do not serve: of all that may be seen, or, where regions hold view samples only and
+// those are all, of the samples that are left.
+void LightPlanner::findUnservedRays()
+{
+    const RaySpace space(fitInput_.light, input_.originWorld);
+    const bool isOfSamples = std::any_of(candidates_.begin(), candidates_.end(),
+                                         [](const Candidate& candidate) { return candidate.fit.isOfSamples; });
+    fitInput_.cellLocal.clear();
+    if (isOfSamples) {
+        if (!input_.seen || !input_.seenIsAll) return;
+        raysThrough(fitInput_, space, seenLocal_, scratch_.rays);
+        isCropping_ = true;
+        return;
+    }
+    findVisiblePoints(fitInput_, scratch_.points);
+    raysThrough(fitInput_, space, scratch_.points, scratch_.rays);
+    isCropping_ = takeAwayServed(space);
+}
+
+// False where some region is no set of rays.
+bool LightPlanner::takeAwayServed(const RaySpace& space)
+{
+    const double sceneSize = fitInput_.sceneLocal.diagonal();
+    for (const Candidate& candidate : candidates_) {
+        if (candidate.fit.narrowedToLocal) return false;
+        FixedVector<Vec3d, 2 * CellPlanes::capacity()> insides;
+        for (const CellPlanes* planes : {&candidate.halfSpacesLocal, &candidate.fit.holdsLocal})
+            for (const Plane& plane : *planes) {
+                if (!space.holdsLight(plane, sceneSize)) return false;
+                insides.push_back(space.insideOf(plane));
+            }
+        subtract(scratch_.rays, {insides.data(), insides.size()}, scratch_.raysRoom);
+    }
+    return true;
+}
+
+// What of the fit the unserved rays of a cell need; nothing where there are none.
+std::optional<Fit> LightPlanner::cropped(const Fit& fit, const Cell& cell)
+{
+    const RaySpace space(fitInput_.light, input_.originWorld);
+    scratch_.raysRoom.assign(scratch_.rays.begin(), scratch_.rays.end());
+    for (const Plane& plane : cell.holdsLocal) {
+        if (!space.holdsLight(plane, fitInput_.sceneLocal.diagonal())) continue;
+        for (RayPolygon& polygon : scratch_.raysRoom) polygon = clipped(polygon, space.insideOf(plane));
+    }
+    return croppedTo(fit, space, scratch_.raysRoom, scratch_.plane);
+}
+
+std::optional<FitFailure> LightPlanner::add(const Cell& cell, const FitChoice& fit)
+{
+    fitInput_.cellLocal = cell.holdsLocal;
+    fitInput_.plane = cell.plane;
+    fitInput_.seenLocal = seenLocal_;
+    if (!cell.holdsLocal.empty()) {
+        gatherSeenIn(cell.holdsLocal, seenLocal_, scratch_.seenInCellLocal);
+        fitInput_.seenLocal = scratch_.seenInCellLocal;
+    }
+    const FitResult result = std::visit(FitOf{fitInput_}, fit);
+    if (!result) return result.error();
+    std::optional<Fit> chosen = *result;
+    if (isCropping_) chosen = cropped(*result, cell);
+    if (!chosen) return FitFailure::NothingInView;
+    Candidate candidate{*chosen, cell.servesLocal, cell.planeNumber, {}};
+    if (chosen->narrowedToLocal) candidate.halfSpacesLocal.push_back(*chosen->narrowedToLocal);
+    candidates_.push_back(candidate);
+    return std::nullopt;
+}
+
+// Sizes where some maps have a lixel a pixel and a guard band around; the others share the rest, as squares. False where that is
+// less than a lixel for each.
+bool LightPlanner::sizeAll(const LookupLayout& lookup, std::span<LixelSize> sizes) const
+{
+    const int band = 2 * int(std::ceil(lookup.reach));
+    auto left = std::int64_t(input_.lixels.width) * input_.lixels.height - input_.lixelsSpent;
+    FixedVector<double, Candidates::capacity()> shares;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        const auto& pixels = candidates_[i].fit.pixels;
+        if (!pixels) {
+            shares.push_back(candidates_[i].need.best());
+            continue;
+        }
+        sizes[i] = {pixels->width() + band, pixels->height() + band};
+        left -= std::int64_t(sizes[i].width) * sizes[i].height;
+    }
+    if (left < std::int64_t(shares.size())) return false;
+    if (shares.empty()) return true;
+    sharesByNeed({shares.data(), shares.size()});
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        if (candidates_[i].fit.pixels) continue;
+        const int side = std::max(1, int(std::sqrt(shares[next++] * double(left))));
+        sizes[i] = {side, side};
+    }
+    return true;
+}
+
+bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& atlas,
+                            std::vector<PlannedRegion>& regions)
+{
+    FixedVector<LixelRectangle, Candidates::capacity()> rectangles;
+    FixedVector<double, Candidates::capacity()> shares;
+    FixedVector<Need, Candidates::capacity()> needs;
+    FixedVector<LixelSize, Candidates::capacity()> sizes;
+    FixedVector<bool, Candidates::capacity()> turned;
+    const bool isByNeed = input_.technique.allocation == Allocation::Need;
+    double known = 0;
+    for (const Candidate& candidate : candidates_) {
+        rectangles.push_back({});
+        shares.push_back(isByNeed ? candidate.need.best() : 0);
+        known += shares.back();
+        needs.push_back(candidate.need);
+        sizes.push_back({});
+        turned.push_back(false);
+    }
+    bool areTurned = false; // whether `turned` says so
+    const std::span<LixelRectangle> pieces{rectangles.data(), rectangles.size()};
+    std::span<const LixelSize> given = input_.lixelsOfRegions;
+    if (given.size() != pieces.size()) given = {};
+    if (fitInput_.wantsWholePixels) {
+        if (!sizeAll(lookup, {sizes.data(), sizes.size()})) return false;
+        given = {sizes.data(), sizes.size()};
+    }
+    if (given.empty()) {
+        const int spent = int((input_.lixelsSpent + input_.lixels.width - 1) / input_.lixels.width);
+        const LixelRectangle whole{0, 0, input_.lixels.width, std::max(1, input_.lixels.height - spent), layer};
+        sharesByNeed({shares.data(), shares.size()});
+        areTurned = known > 0 && std::isfinite(known);
+        const bool isCut = areTurned ? cutRectangleByNeed(whole, {shares.data(), shares.size()},
+                                                          {needs.data(), needs.size()}, pieces,
+                                                          {turned.data(), turned.size()})
+                                     : cutRectangle(whole, {shares.data(), shares.size()}, pieces);
+        if (!isCut) return false;
+        atlas = {std::max(atlas.width, input_.lixels.width), std::max(atlas.height, input_.lixels.height)};
+    } else {
+        const LixelSize packed = packRectangles(given, layer, pieces);
+        atlas = {std::max(atlas.width, packed.width), std::max(atlas.height, packed.height)};
+    }
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+        regions.push_back({place(candidates_[i].fit, pieces[i], lookup, input_.originWorld,
+                                 areTurned ? std::optional(turned[i]) : std::nullopt),
+                           pieces[i], candidates_[i].halfSpacesLocal, candidates_[i].plane, candidates_[i].fit.pixels});
+    return true;
+}
+
+} // namespace lixel

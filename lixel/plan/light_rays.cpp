@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/light_rays.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lixel {
+namespace {
+
+// Sets overlap by this part at their common borders, for the rounding of those who ask on which side they are.
+constexpr double kOverlap = 1e-6;
+
+// So many convex pieces are worth their time.
+constexpr std::size_t kMostPieces = 256;
+
+// A light within this part of the scene's size of a plane lies in it, but for rounding.
+constexpr double kInPlane = 1e-9;
+
+// Clips to where dot(inside, ray) >= least |inside| |ray|.
+RayPolygon clippedBeyond(const RayPolygon& polygon, Vec3d inside, double least)
+{
+    RayPolygon out;
+    if (polygon.empty()) return out;
+    const double size = length(inside);
+    const auto excess = [&](Vec3d ray) { return dot(inside, ray) - least * size * length(ray); };
+    Vec3d before = polygon.back();
+    double atBefore = excess(before);
+    for (const Vec3d& ray : polygon) {
+        const double at = excess(ray);
+        if ((at >= 0) != (atBefore >= 0) && out.size() < kMostRayCorners) {
+            const double share = atBefore / (atBefore - at);
+            out.push_back((1 - share) * before + share * ray);
+        }
+        if (at >= 0 && out.size() < kMostRayCorners) out.push_back(ray);
+        before = ray, atBefore = at;
+    }
+    if (out.size() < 3) out.clear();
+    return out;
+}
+
+bool isAll(const RayPolygon& polygon, Vec3d inside)
+{
+    return std::all_of(polygon.begin(), polygon.end(), [&](Vec3d ray) { return dot(inside, ray) >= 0; });
+}
+
+} // namespace
+
+RaySpace::RaySpace(const Light& light, Vec3d originWorld)
+    : isParallel_(light.kind == LightKind::Directional),
+      lightLocal_(light.positionWorld - originWorld),
+      right_(anyPerpendicular(light.directionWorld)),
+      up_(cross(right_, light.directionWorld)),
+      back_(-light.directionWorld)
+{
+}
+
+Vec3d RaySpace::through(Vec3d pointLocal) const
+{
+    if (isParallel_) return {dot(right_, pointLocal), dot(up_, pointLocal), 1};
+    return pointLocal - lightLocal_;
+}
+
+Vec3d RaySpace::insideOf(const Plane& throughLightLocal) const
+{
+    const Vec3d n = throughLightLocal.normal;
+    if (isParallel_) return {dot(right_, n), dot(up_, n), throughLightLocal.offset};
+    return n;
+}
+
+Vec3d RaySpace::at(const LightFrame& frame, Vec2d onPlane) const
+{
+    // Rows x, y and w of such a frame are unit vectors at right angles.
+    const Mat4d& m = frame.framedFromLocal;
+    const Vec3d across = onPlane.x * xyz(m.row(0)) + onPlane.y * xyz(m.row(1));
+    return isParallel_ ? through(across) : across + xyz(m.row(3));
+}
+
+bool RaySpace::holdsLight(const Plane& planeLocal, double sceneSize) const
+{
+    if (isParallel_) return std::abs(dot(planeLocal.normal, back_)) <= kInPlane * length(planeLocal.normal);
+    return std::abs(planeLocal.signedDistance(lightLocal_)) <=
+           kInPlane * (sceneSize + length(lightLocal_)) * length(planeLocal.normal);
+}
+
+Vec4d RaySpace::imageOf(Vec3d ray) const
+{
+    if (isParallel_) return point(ray.x * right_ + ray.y * up_);
+    return direction(ray);
+}
+
+RayPolygon clipped(const RayPolygon& polygon, Vec3d inside) { return clippedBeyond(polygon, inside, 0); }
+
+void raysThrough(const FitInput& input, const RaySpace& space, std::span<const Vec3d> pointsLocal,
+                 std::vector<RayPolygon>& rays)
+{
+    rays.clear();
+    if (pointsLocal.empty()) return;
+    FitScratch::OnPlane& plane = input.scratch.plane;
+    if (const auto body = frameAround(input, pointsLocal)) {
+        plane.numbered.clear();
+        for (std::size_t i = 0; i < body->corners.size(); ++i)
+            plane.numbered.push_back({onLightPlane(body->frame, body->corners[i]), std::uint32_t(i)});
+        plane.numberedHull.resize(plane.numbered.size() + 1);
+        const std::size_t corners = convexHull(plane.numbered, plane.numberedHull);
+        if (corners >= 3 && corners <= kMostRayCorners / 2) { // leaves room for what clipping adds
+            RayPolygon polygon;
+            for (std::size_t i = 0; i < corners; ++i)
+                polygon.push_back(space.through(body->corners[plane.numberedHull[i].number]));
+            rays.push_back(polygon);
+            return;
+        }
+        const OrientedRectangle around = rectangleAround(*body, RectangleKind::LeastArea, input.scratch);
+        const Vec2d a = around.halfSize.x * around.axis, b = around.halfSize.y * Vec2d{-around.axis.y, around.axis.x};
+        RayPolygon polygon;
+        for (const auto& [sa, sb] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}})
+            polygon.push_back(space.at(body->frame, around.centre + sa * a + sb * b));
+        rays.push_back(polygon);
+        return;
+    }
+    for (const double x : {1.0, -1.0})
+        for (const double y : {1.0, -1.0})
+            for (const double z : {1.0, -1.0}) rays.push_back({Vec3d{x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, z}});
+}
+
+void subtract(std::vector<RayPolygon>& rays, std::span<const Vec3d> insides, std::vector<RayPolygon>& room)
+{
+    room.clear();
+    for (const RayPolygon& whole : rays) {
+        RayPolygon left = whole; // inside of all half-spaces so far
+        for (const Vec3d& inside : insides) {
+            if (left.empty()) break;
+            if (isAll(left, inside)) continue;
+            const RayPolygon outside = clippedBeyond(left, -1.0 * inside, -kOverlap);
+            if (!outside.empty()) room.push_back(outside);
+            left = clipped(left, inside);
+        }
+        if (room.size() > kMostPieces) return;
+    }
+    rays.swap(room);
+}
+
+std::optional<Fit> croppedTo(const Fit& fit, const RaySpace& space, std::span<const RayPolygon> rays,
+                             FitScratch::OnPlane& scratch)
+{
+    if (fit.snapsToWorld || fit.pixels) return fit;
+    const Mat4d& clip = fit.lightClipFromLocal;
+    const Vec4d x = clip.row(0), y = clip.row(1), w = clip.row(3);
+    const std::array<Vec3d, 4> sides{space.insideOf({xyz(w + x), (w + x).w}), space.insideOf({xyz(w - x), (w - x).w}),
+                                     space.insideOf({xyz(w + y), (w + y).w}), space.insideOf({xyz(w - y), (w - y).w})};
+    // In units of the light plane, so that areas and right angles are those of lixels.
+    const double perX = 1 / length(xyz(x)), perY = 1 / length(xyz(y));
+    scratch.points.clear();
+    for (const RayPolygon& polygon : rays) {
+        RayPolygon within = polygon;
+        for (const Vec3d& side : sides) within = clipped(within, side);
+        for (const Vec3d& ray : within) {
+            const Vec4d q = clip * space.imageOf(ray);
+            if (!(q.w > 0)) return fit;
+            scratch.points.push_back({perX * q.x / q.w, perY * q.y / q.w});
+        }
+    }
+    if (scratch.points.empty()) return std::nullopt;
+    scratch.hull.resize(scratch.points.size() + 1);
+    const std::size_t corners = convexHull(scratch.points, scratch.hull);
+    OrientedRectangle r = minimumAreaRectangle({scratch.hull.data(), corners});
+    const double least = 1e-6 * std::max(perX, perY);
+    r.halfSize = {(1 + kOverlap) * r.halfSize.x + least, (1 + kOverlap) * r.halfSize.y + least};
+    if (!(r.area() < 4 * perX * perY)) return fit;
+    const auto along = [&](Vec2d axis, double half) {
+        return (1 / half) * (axis.x * perX * x + axis.y * perY * y - dot(axis, r.centre) * w);
+    };
+    Fit out = fit;
+    out.lightClipFromLocal.setRow(0, along(r.axis, r.halfSize.x));
+    out.lightClipFromLocal.setRow(1, along({-r.axis.y, r.axis.x}, r.halfSize.y));
+    return out;
+}
+
+} // namespace lixel
