@@ -61,7 +61,8 @@ std::size_t hullOf(std::span<Point> points, std::span<Point> hull)
         return count;
     }
 
-    // Lower chain from left to right, then the upper one back; a corner stays only where the chain turns left.
+    // Lower chain from left to right, then the upper one back; a corner stays only where the chain turns left. Each point is asked
+    // in one of them only, by the line between the ends: of points in line but for rounding both chains would keep some.
     std::size_t size = 0;
     const auto extend = [&](const Point& point, std::size_t chainStart) {
         const Vec2d p = placeOf(point);
@@ -72,9 +73,16 @@ std::size_t hullOf(std::span<Point> points, std::span<Point> hull)
         }
         hull[size++] = point;
     };
-    for (std::size_t i = 0; i < count; ++i) extend(points[i], 0);
+    const Vec2d first = placeOf(points[0]), across = placeOf(points[count - 1]) - first;
+    const auto isAbove = [&](const Point& point) { return cross(across, placeOf(point) - first) > 0; };
+    extend(points[0], 0);
+    for (std::size_t i = 1; i + 1 < count; ++i)
+        if (!isAbove(points[i])) extend(points[i], 0);
+    extend(points[count - 1], 0);
     const std::size_t upperStart = size - 1;
-    for (std::size_t i = count - 1; i-- > 0;) extend(points[i], upperStart);
+    for (std::size_t i = count - 1; i-- > 1;)
+        if (isAbove(points[i])) extend(points[i], upperStart);
+    extend(points[0], upperStart);
     return size - 1;
 }
 
