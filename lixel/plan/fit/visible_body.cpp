@@ -13,6 +13,10 @@ namespace {
 
 constexpr std::size_t kConeSides = 8;
 
+// Corners outside a plane by less than this part of what their distance is made of lie in it: several planes meet at a light, and
+// rounding would cut what is there again and again.
+constexpr double kInPlane = 1e-13;
+
 // Half-spaces around a spot's cone, last in their list: eight through the light, touching the cone.
 void addCone(const Light& light, Vec3d lightLocal, BodyPlanes& planes)
 {
@@ -105,23 +109,26 @@ using CutCorners = FixedVector<CutCorner, 2 * (6 + BodyPlanes::capacity()) - 4>;
 static_assert(6 + BodyPlanes::capacity() <= 32);
 
 // What a plane leaves: the corners inside, and one on each edge that it crosses. Corners that share two planes share an edge (T.
-// Motzkin et al. The Double Description Method. 1953); a corner in the plane counts as inside, so that in terms of planes no
-// more than three ever meet, whatever rounding makes of places.
-CutCorners cut(const CutCorners& corners, const Plane& plane, std::uint32_t bit)
+// Motzkin et al. The Double Description Method. 1953); a corner in the plane, or nearer than `slack` to it, counts as inside, so
+// that in terms of planes no more than three ever meet, whatever rounding makes of places. Where rounding makes more corners than
+// a polytope has, the plane cuts nothing: what is held is never less than there is.
+CutCorners cut(const CutCorners& corners, const Plane& plane, double slack, std::uint32_t bit)
 {
     std::array<double, CutCorners::capacity()> distance;
     CutCorners kept;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         distance[i] = plane.signedDistance(corners[i].p);
-        if (distance[i] >= 0) kept.push_back(corners[i]);
+        if (distance[i] >= -slack) kept.push_back(corners[i]);
     }
     if (kept.size() == corners.size() || kept.empty()) return kept;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (distance[i] < 0) continue;
+        if (distance[i] < -slack) continue;
+        const double inside = std::max(distance[i], 0.0);
         for (std::size_t j = 0; j < corners.size(); ++j) {
             const std::uint32_t shared = corners[i].planes & corners[j].planes;
-            if (distance[j] >= 0 || std::popcount(shared) < 2) continue;
-            const double share = distance[i] / (distance[i] - distance[j]);
+            if (distance[j] >= -slack || std::popcount(shared) < 2) continue;
+            if (kept.size() == CutCorners::capacity()) return corners;
+            const double share = inside / (inside - distance[j]);
             kept.push_back({corners[i].p + share * (corners[j].p - corners[i].p), shared | bit});
         }
     }
@@ -150,7 +157,11 @@ void appendClippedBox(const Box& box, std::span<const Plane> planes, std::vector
     CutCorners corners;
     for (std::uint32_t i = 0; i < 8; ++i)
         corners.push_back({boxCorners[i], (i & 1 ? 2u : 1u) | (i & 2 ? 8u : 4u) | (i & 4 ? 32u : 16u)});
-    for (std::size_t i = 0; i < cuts; ++i) corners = cut(corners, *cutting[i], 64u << i);
+    const double farthest = length(centre) + length(half);
+    for (std::size_t i = 0; i < cuts; ++i) {
+        const double slack = kInPlane * (std::abs(cutting[i]->offset) + farthest);
+        corners = cut(corners, *cutting[i], slack, 64u << i);
+    }
     for (const CutCorner& corner : corners) points.push_back(corner.p);
 }
 
