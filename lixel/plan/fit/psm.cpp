@@ -80,7 +80,8 @@ std::optional<FramedBody> seenByLight(const FitInput& input, const Mat4d& virtua
     if (!isParallel) seen.frame.framedFromLocal.setRow(2, seen.frame.framedFromLocal.row(3));
     const bool isBefore = std::all_of(body.corners.begin(), body.corners.end(), [&](Vec3d p) {
         const Vec4d q = cube.framedFromLocal * point(p);
-        return cube.perDistance * std::hypot(q.x, q.y) < kMostTangent * q.w;
+        const double most = kMostTangent * q.w, perDistance = cube.perDistance;
+        return q.w > 0 && perDistance * perDistance * (q.x * q.x + q.y * q.y) < most * most;
     });
     if (!isBefore) return std::nullopt;
     return held(seen);
