@@ -195,7 +195,8 @@ std::vector<Visibility> withoutMap(const ShotContext& context, const Technique& 
 std::vector<ResultRow> rowsOfAll(const ShotContext& context, std::span<const std::unique_ptr<Executor>> executors,
                                  const TechniqueChoice& choice, const std::function<void(std::string_view)>& onStep)
 {
-    const PlanSubject subject{context.stage, context.view, context.shot.lights, context.shooting.planes, context.samples};
+    const PlanSubject subject{context.stage, context.view, context.shot.lights, context.shooting.planes,
+                              context.samples};
     const auto plan = planFor(choice, subject, context.options.lixels, *executors.front());
     std::vector<ResultRow> rows;
     std::vector<std::vector<Visibility>> visibility;

@@ -49,8 +49,9 @@ struct Shooting
     EvaluateOptions evaluateOptions;
     Box sceneWorld; // at that time
     int width = 0, height = 0;
-    std::vector<Shot> shots;        // at least one; names differ
-    std::vector<NamedPlane> planes; // of interest: the scene's, and the view file's, which go before those of the same name
+    std::vector<Shot> shots; // at least one; names differ
+    std::vector<NamedPlane>
+        planes; // of interest: the scene's, and the view file's, which go before those of the same name
 };
 
 // Throws InputError, UsageError. `takeAll`: a built-in scene without --view gives all its views, else its first.

@@ -52,9 +52,9 @@ void expectPlanes(std::span<const TechniqueChoice> techniques, const Shooting& s
         if (!planes) continue;
         for (const std::string& name : planes->names)
             if (std::ranges::none_of(shooting.planes, [&](const NamedPlane& plane) { return plane.name == name; }))
-                throw UsageError(fmt::format("technique \"{}\": {} has no plane \"{}\" ({}); a view file can name planes",
-                                             choice.typed, shooting.sceneName, name,
-                                             known.empty() ? "it names none" : "it has: " + known));
+                throw UsageError(fmt::format(
+                    "technique \"{}\": {} has no plane \"{}\" ({}); a view file can name planes", choice.typed,
+                    shooting.sceneName, name, known.empty() ? "it names none" : "it has: " + known));
     }
 }
 
@@ -64,8 +64,8 @@ std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubjec
     const auto* map = std::get_if<MapTechnique>(&choice.technique);
     if (!map) return std::nullopt;
     const SceneBuffers& buffers = subject.stage.buffers;
-    PlanInput input{subject.view, subject.lights, buffers.bounds.boxesWorld, buffers.triangles.originWorld, *map,
-                    lixels.total};
+    PlanInput input{subject.view, subject.lights, buffers.bounds.boxesWorld, buffers.triangles.originWorld,
+                    *map,         lixels.total};
     input.seen = &subject.seen;
     input.seenIsAll = true;
     input.planes = subject.planes;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -61,7 +62,8 @@ std::size_t hullOf(std::span<Point> points, std::span<Point> hull)
         return count;
     }
 
-    // Lower chain from left to right, then the upper one back; a corner stays only where the chain turns left.
+    // Lower chain from left to right, then the upper one back; a corner stays only where the chain turns left. Each point is asked
+    // in one of them only, by the line between the ends: of points in line but for rounding both chains would keep some.
     std::size_t size = 0;
     const auto extend = [&](const Point& point, std::size_t chainStart) {
         const Vec2d p = placeOf(point);
@@ -72,9 +74,16 @@ std::size_t hullOf(std::span<Point> points, std::span<Point> hull)
         }
         hull[size++] = point;
     };
-    for (std::size_t i = 0; i < count; ++i) extend(points[i], 0);
+    const Vec2d first = placeOf(points[0]), across = placeOf(points[count - 1]) - first;
+    const auto isAbove = [&](const Point& point) { return cross(across, placeOf(point) - first) > 0; };
+    extend(points[0], 0);
+    for (std::size_t i = 1; i + 1 < count; ++i)
+        if (!isAbove(points[i])) extend(points[i], 0);
+    extend(points[count - 1], 0);
     const std::size_t upperStart = size - 1;
-    for (std::size_t i = count - 1; i-- > 0;) extend(points[i], upperStart);
+    for (std::size_t i = count - 1; i-- > 1;)
+        if (isAbove(points[i])) extend(points[i], upperStart);
+    extend(points[0], upperStart);
     return size - 1;
 }
 
@@ -99,18 +108,22 @@ HullSieve::HullSieve(std::span<const Vec2d> points, double beyond)
     constexpr std::size_t kWorthwhile = 32;
     if (points.size() < kWorthwhile) return;
     // Counter-clockwise from +x, each farthest along its direction.
-    Vec2d e0 = points[0], e1 = e0, e2 = e0, e3 = e0, e4 = e0, e5 = e0, e6 = e0, e7 = e0;
+    struct Extreme
+    {
+        Vec2d p;
+        double along = -std::numeric_limits<double>::infinity();
+        void take(Vec2d other, double alongOther)
+        {
+            if (alongOther > along) p = other, along = alongOther;
+        }
+    };
+    Extreme x0, x1, x2, x3, x4, x5, x6, x7;
     for (const Vec2d& p : points) {
         const double sum = p.x + p.y, difference = p.y - p.x;
-        if (p.x > e0.x) e0 = p;
-        if (sum > e1.x + e1.y) e1 = p;
-        if (p.y > e2.y) e2 = p;
-        if (difference > e3.y - e3.x) e3 = p;
-        if (p.x < e4.x) e4 = p;
-        if (sum < e5.x + e5.y) e5 = p;
-        if (p.y < e6.y) e6 = p;
-        if (difference < e7.y - e7.x) e7 = p;
+        x0.take(p, p.x), x1.take(p, sum), x2.take(p, p.y), x3.take(p, difference);
+        x4.take(p, -p.x), x5.take(p, -sum), x6.take(p, -p.y), x7.take(p, -difference);
     }
+    const Vec2d e0 = x0.p, e1 = x1.p, e2 = x2.p, e3 = x3.p, e4 = x4.p, e5 = x5.p, e6 = x6.p, e7 = x7.p;
     if (e0 == e4 && e2 == e6) return;
     // Each diagonal extreme lies beyond one corner of this box, hence the box within their hull.
     low_ = {std::max(e3.x, e5.x), std::max(e5.y, e7.y)};

@@ -3,6 +3,7 @@
 
 #include "lixel/base/vec.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -33,9 +34,10 @@ public:
     bool isInner(Vec2d p) const
     {
         if (p.x > low_.x && p.x < high_.x && p.y > low_.y && p.y < high_.y) return true;
+        if (!isWorthwhile_) return false;
         for (std::size_t k = 0; k < 8; ++k)
-            if (!(dot(normal_[k], p) + offset_[k] > 0) || p == corner_[k]) return false;
-        return isWorthwhile_;
+            if (!(dot(normal_[k], p) + offset_[k] > 0)) return false;
+        return std::find(corner_.begin(), corner_.end(), p) == corner_.end();
     }
 
 private:

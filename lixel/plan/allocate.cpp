@@ -60,7 +60,8 @@ struct Wanting
 };
 
 // The pieces with the least predicted error, which is returned.
-double leastError(LixelRectangle whole, const Wanting& wanting, std::span<LixelRectangle> pieces, std::span<bool> turned)
+double leastError(LixelRectangle whole, const Wanting& wanting, std::span<LixelRectangle> pieces,
+                  std::span<bool> turned)
 {
     if (wanting.size() == 1) {
         const double upright = wanting.needs[0].within(whole.width(), whole.height());

@@ -83,8 +83,7 @@ std::optional<InterestPlanes> namedPlanes(const PlanesPartition& partition, cons
         const auto found = std::find_if(input.planes.begin(), input.planes.end(),
                                         [&](const NamedPlane& plane) { return plane.name == name; });
         if (found == input.planes.end()) return std::nullopt;
-        out.push_back(
-            interestPlane(*found, input.originWorld, int(found - input.planes.begin()), scratch.plane));
+        out.push_back(interestPlane(*found, input.originWorld, int(found - input.planes.begin()), scratch.plane));
     }
     return out;
 }
@@ -110,7 +109,8 @@ LightPlanner::LightPlanner(const PlanInput& input, std::size_t number, const Box
     const Light& light = input.lights[number];
     gatherSeen(input, light, scratch);
     seenLocal_ = scratch.seenLocal;
-    gatherNeedSamples({input.observed, number, scratch.seenLocal, scratch.seenNormal}, light, input.originWorld, scratch.need);
+    gatherNeedSamples({input.observed, number, scratch.seenLocal, scratch.seenNormal}, light, input.originWorld,
+                      scratch.need);
 }
 
 std::optional<FitFailure> LightPlanner::choose(std::vector<LeftOutPlane>& leftOut)
@@ -180,7 +180,8 @@ InterestPlanes LightPlanner::bestPlanes(Twist twist)
         double best = kGainOfPlane * least;
         std::optional<InterestPlanes> better;
         for (std::size_t i = 0; i < input_.planes.size(); ++i) {
-            if (std::any_of(chosen.begin(), chosen.end(), [&](const InterestPlane& p) { return p.number == int(i); })) continue;
+            if (std::any_of(chosen.begin(), chosen.end(), [&](const InterestPlane& p) { return p.number == int(i); }))
+                continue;
             InterestPlanes with = chosen;
             with.push_back(interestPlane(input_.planes[i], input_.originWorld, int(i), scratch_.plane));
             if (tryPlanes(with, twist, leftOut)) continue;
@@ -376,10 +377,10 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
         const LixelRectangle whole{0, 0, input_.lixels.width, std::max(1, input_.lixels.height - spent), layer};
         sharesByNeed({shares.data(), shares.size()});
         areTurned = known > 0 && std::isfinite(known);
-        const bool isCut = areTurned ? cutRectangleByNeed(whole, {shares.data(), shares.size()},
-                                                          {needs.data(), needs.size()}, pieces,
-                                                          {turned.data(), turned.size()})
-                                     : cutRectangle(whole, {shares.data(), shares.size()}, pieces);
+        const bool isCut = areTurned
+                               ? cutRectangleByNeed(whole, {shares.data(), shares.size()}, {needs.data(), needs.size()},
+                                                    pieces, {turned.data(), turned.size()})
+                               : cutRectangle(whole, {shares.data(), shares.size()}, pieces);
         if (!isCut) return false;
         atlas = {std::max(atlas.width, input_.lixels.width), std::max(atlas.height, input_.lixels.height)};
     } else {

@@ -35,8 +35,7 @@ private:
     };
     using Candidates = FixedVector<Candidate, 2 * kMostCells>;
 
-    std::optional<FitFailure> tryPlanes(const InterestPlanes& planes, Twist twist,
-                                        std::vector<LeftOutPlane>& leftOut);
+    std::optional<FitFailure> tryPlanes(const InterestPlanes& planes, Twist twist, std::vector<LeftOutPlane>& leftOut);
     InterestPlanes bestPlanes(Twist twist);
     double predictedError();
     std::optional<FitFailure> addElseTo(std::optional<FitFailure> refused);
@@ -55,7 +54,7 @@ private:
     FitInput fitInput_;
     Candidates candidates_;
     std::span<const Vec3d> seenLocal_; // view samples that face the light and are still to be served
-    bool isCropping_ = false; // what is added now serves scratch.rays only
+    bool isCropping_ = false;          // what is added now serves scratch.rays only
 };
 
 } // namespace lixel

@@ -22,7 +22,7 @@ public:
 
     Vec3d through(Vec3d pointLocal) const;
     Vec3d at(const LightFrame& frame, Vec2d onPlane) const; // frames of lightFrame()
-    Vec3d insideOf(const Plane& throughLightLocal) const; // dot(insideOf(plane), ray) >= 0 where the ray is inside
+    Vec3d insideOf(const Plane& throughLightLocal) const;   // dot(insideOf(plane), ray) >= 0 where the ray is inside
     bool holdsLight(const Plane& planeLocal, double sceneSize) const;
 
     // Some point of the ray in homogeneous coordinates, Local; for rays from a point its direction (w = 0), which has the same

@@ -36,7 +36,8 @@ void takeEvenly(std::size_t count, std::size_t most, const Wanted& wanted, const
 
 } // namespace
 
-void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld, std::vector<NeedSample>& samples)
+void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld,
+                       std::vector<NeedSample>& samples)
 {
     samples.clear();
     const Observation* observed = source.observed;
@@ -52,12 +53,21 @@ void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d origi
     const auto normal = [&](std::size_t i) { return toDouble(cells.normal[i]); };
     const std::uint32_t bit = std::uint32_t{1} << source.lightNumber;
     const auto isAtBoundary = [&](std::size_t i) { return (observed->atBoundary[i] & bit) != 0; };
-    const auto isAway = [&](std::size_t i) { return !isAtBoundary(i) && isLightFacing(light, originWorld, at(i), normal(i)); };
-    takeEvenly(cells.size(), kMostAtBoundaries, isAtBoundary,
-               [&](std::size_t i) { return NeedSample{at(i), normal(i), double(cells.weightOf(i))}; }, samples);
-    takeEvenly(cells.size(), kMostOthers, isAway,
-               [&](std::size_t i) { return NeedSample{at(i), normal(i), kAwayFromBoundaries * double(cells.weightOf(i))}; },
-               samples);
+    const auto isAway = [&](std::size_t i) {
+        return !isAtBoundary(i) && isLightFacing(light, originWorld, at(i), normal(i));
+    };
+    takeEvenly(
+        cells.size(), kMostAtBoundaries, isAtBoundary,
+        [&](std::size_t i) {
+            return NeedSample{at(i), normal(i), double(cells.weightOf(i))};
+        },
+        samples);
+    takeEvenly(
+        cells.size(), kMostOthers, isAway,
+        [&](std::size_t i) {
+            return NeedSample{at(i), normal(i), kAwayFromBoundaries * double(cells.weightOf(i))};
+        },
+        samples);
 }
 
 Need needOf(const Fit& fit, const View& view, Vec3d originWorld, const NeedSample& sample)

@@ -20,7 +20,8 @@ struct NeedSource
     std::size_t lightNumber = 0;
     std::span<const Vec3d> seenLocal, seenNormal; // facing the light
 };
-void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld, std::vector<NeedSample>& samples);
+void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld,
+                       std::vector<NeedSample>& samples);
 
 // Sums, over samples, of how long one step of a map's x and y is in the picture, the map having one lixel. A lixel misplaces the
 // shadow's edge by about half its width across the edge, so with width by height lixels errors go with
@@ -30,7 +31,10 @@ struct Need
     double alongX = 0, alongY = 0;
 
     double within(double width, double height) const { return alongX / width + alongY / height; }
-    double best() const { return std::sqrt(alongX * alongY); } // errors of n lixels go with 2 / sqrt(n) of it, at the best aspect
+    double best() const
+    {
+        return std::sqrt(alongX * alongY);
+    } // errors of n lixels go with 2 / sqrt(n) of it, at the best aspect
     Need& operator+=(Need other)
     {
         alongX += other.alongX, alongY += other.alongY;

@@ -34,7 +34,7 @@ Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout&
     }
     const double sizeX = 1 / length(xyz(clip.row(0))), sizeY = 1 / length(xyz(clip.row(1)));
     const bool isAcross = (rectangle.width() > rectangle.height() && sizeX < sizeY * (1 - kEqual)) ||
-        (rectangle.width() < rectangle.height() && sizeX * (1 - kEqual) > sizeY);
+                          (rectangle.width() < rectangle.height() && sizeX * (1 - kEqual) > sizeY);
     if (turn.value_or(isAcross)) {
         const Vec4d x = clip.row(0);
         clip.setRow(0, clip.row(1));

@@ -47,9 +47,10 @@ struct PlanInput
     const ViewSamples* seen = nullptr;
     bool seenIsAll =
         false; // it lists every receiver that will be asked: an else(...) that none of them needs has no map
-    std::span<const LixelSize> lixelsOfRegions = {}; // in the order of regions, in place of `lixels`, where there are as many
-    std::span<const GivenLight> given = {};          // for matrix(file) and plan(file)
-    std::span<const NamedPlane> planes = {};         // that planes(...) may name
+    std::span<const LixelSize> lixelsOfRegions =
+        {};                                  // in the order of regions, in place of `lixels`, where there are as many
+    std::span<const GivenLight> given = {};  // for matrix(file) and plan(file)
+    std::span<const NamedPlane> planes = {}; // that planes(...) may name
     // Where shadows end, as a first pass or an earlier frame saw it: shares and choices are made by it, else by `seen`.
     const Observation* observed = nullptr;
     // Spent of each light's lixels before this plan, on the first pass that observed.

@@ -372,8 +372,10 @@ std::string checkTogether(const MapTechnique& map, const Parts& parts)
         return "lispsm(stable) goes with no partition: cells follow the camera, and it with them";
     const auto* planeOptimal = std::get_if<PlaneOptimalFit>(&map.fit);
     if (planeOptimal && !isPlanes(map.partition)) return "plane-optimal needs regions with planes: planes(...)";
-    if (planeOptimal && planeOptimal->uncoveredIsLit && map.otherwise) return "uncovered=lit leaves nothing to else(...)";
-    if (map.isStable && isPlanes(map.partition)) return "stable goes with no planes(...): their maps follow the picture";
+    if (planeOptimal && planeOptimal->uncoveredIsLit && map.otherwise)
+        return "uncovered=lit leaves nothing to else(...)";
+    if (map.isStable && isPlanes(map.partition))
+        return "stable goes with no planes(...): their maps follow the picture";
     if (map.allocation == Allocation::Exact && !planeOptimal) return "allocation=exact goes with plane-optimal";
     if (isGiven(map.fit) && !isWhole)
         return "matrix(file) and plan(file) have their own regions: no partition goes with them";

@@ -100,7 +100,7 @@ using FitChoice = std::variant<UniformFit, FocusedFit, DesiredViewFit, MinimalFr
 enum class Allocation {
     Need,  // so that the predicted error of all is least; evenly where there are no view samples to predict from
     Share, // evenly; the default of stable techniques, whose lixels must not change size
-    Exact  // planes have a lixel a pixel, as many as that takes, just where pixels are; others share what is left by need
+    Exact // planes have a lixel a pixel, as many as that takes, just where pixels are; others share what is left by need
 };
 
 // Stores and kernels.

@@ -18,7 +18,8 @@ constexpr std::array<TechniqueWord, 21> kWords{{
     {"partition", "cube", "the faces of a cube around the light that something is seen in", "Greene 1986",
      "spot, point; directional lights have one region", ""},
     {"partition", "planes(name, ..., twist=tight/none/line)",
-     "the light rays that meet each of some planes of the scene, in this order; planes(auto) finds them in what is seen",
+     "the light rays that meet each of some planes of the scene, in this order; planes(auto) finds them in what is "
+     "seen",
      "Chong, Gortler 2004", "all", "no-such-plane; planes(auto): no-view-samples"},
     {"fit", "uniform", "the whole scene, whatever the view sees (the papers' \"normal\" map)", "Williams 1978",
      kAnyLight, "extent-not-in-hemisphere, nothing-in-view"},

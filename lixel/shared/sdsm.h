@@ -39,6 +39,9 @@ const float LX_SDSM_OVERLAP = 1.0e-5f;
 const float LX_SDSM_OFFSET_ROUNDING = 4.0e-7f;
 // Half a side of a map is not less than this part of its terms: two thousand times what floats round by.
 const float LX_SDSM_LEAST_HALF = 1.1920929e-4f;
+// The part of half a side that samples may stray by rounding, and what of their terms rounding comes to: beyond, there is room.
+const float LX_SDSM_UNROOMED = 3.90625e-4f;
+const float LX_SDSM_ROUNDING = 3.5762787e-7f;
 // Room at a map's near and far side for the rounding of depths to float. (At its borders the guard band of the lookup's reach has
 // room for far more.)
 const float LX_SDSM_ROOM = 2.0e-7f;
@@ -89,8 +92,9 @@ LX_FN float lxSdsmTerms(vec4 row, vec3 p) { return abs(row.x * p.x) + abs(row.y 
 LX_FN float lxSdsmHalf(float least, float greatest, float terms)
 {
     float tight = 0.5f * (greatest - least);
-    float floorOfHalf = LX_SDSM_LEAST_HALF * (terms + 0.5f * abs(greatest + least) + tight);
-    return max(max(tight, floorOfHalf) * 1.000001f, 1.0e-9f);
+    float all = terms + 0.5f * abs(greatest + least) + tight;
+    float roomy = (1.0f - LX_SDSM_UNROOMED) * tight + LX_SDSM_ROUNDING * all;
+    return max(max(max(tight, LX_SDSM_LEAST_HALF * all), roomy) * 1.000001f, 1.0e-9f);
 }
 
 // A cascade without samples: no point is inside.

@@ -49,6 +49,22 @@ TEST(ConvexHull, HoldsEveryPointAndTurnsLeftAtEveryCorner)
     });
 }
 
+// Rounding puts such points on either side of lines between others, now and then not the same side for both chains of the hull.
+TEST(ConvexHull, OfPointsInLineButForRoundingHasNoMoreCornersThanPoints)
+{
+    const auto any = [](Rng& rng) { return Vec2d{rng.uniform(-1, 1), rng.uniform(-1, 1)}; };
+    forEachCase(100 * test::kCases, [&](Rng& rng) {
+        const Vec2d from = any(rng), along = any(rng);
+        std::vector<Vec2d> points;
+        for (int i = rng.integer(4, 8); i > 0; --i) points.push_back(from + rng.uniform(-1, 1) * along);
+        const std::size_t count = points.size();
+        const Vec2d untouched{7, 7};
+        std::vector<Vec2d> hull(2 * count, untouched);
+        EXPECT_LE(convexHull(points, {hull.data(), count + 1}), count);
+        for (std::size_t i = count + 1; i < hull.size(); ++i) EXPECT_EQ(hull[i], untouched);
+    });
+}
+
 TEST(MinimumAreaRectangle, HoldsEveryPointHasASideOnTheHullAndIsNoLargerThanAnyTriedAngle)
 {
     forEachCase(test::kCases, [](Rng& rng) {

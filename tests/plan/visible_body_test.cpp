@@ -56,6 +56,31 @@ TEST(ClippedBox, HasTheCornersOfTheBodyThatFacesGive)
     });
 }
 
+// As at a light: sides of its cone, of a cube's face and of a region meet there, and rounding decides what they leave of each other.
+TEST(ClippedBox, OfManyPlanesThroughOnePointIsWhatEveryPlaneKeeps)
+{
+    forEachCase(10 * test::kCases, [](Rng& rng) {
+        Box box;
+        box.include(rng.inBox(1));
+        box.include(rng.inBox(1));
+        const Vec3d axis = rng.onSphere();
+        const Vec3d apex = rng.chance(0.3) ? box.corners()[std::size_t(rng.integer(0, 7))]
+                                           : Vec3d{rng.uniform(box.min.x, box.max.x), rng.uniform(box.min.y, box.max.y),
+                                                   rng.uniform(box.min.z, box.max.z)};
+        const double opening = rng.uniform(0.05, 1);
+        std::vector<Plane> planes;
+        for (int i = rng.integer(8, 26); i > 0; --i)
+            planes.push_back(planeThrough(apex, normalized(opening * axis + rng.onSphere())));
+        std::vector<Vec3d> points;
+        appendClippedBox(box, planes, points);
+        for (const Vec3d& p : points)
+            for (const Plane& plane : planes) EXPECT_GT(plane.signedDistance(p), -1e-9);
+        if (!points.empty()) { // none of them cuts off the apex, of which alone rounding may leave nothing
+            EXPECT_GT(farthestAlong(axis, points), dot(axis, apex) - 1e-12);
+        }
+    });
+}
+
 TEST(ClippedBox, HoldsThePointsOfTheBoxThatEveryPlaneKeeps)
 {
     forEachCase(test::kCases, [](Rng& rng) {

@@ -122,7 +122,8 @@ struct Fit
     // the light, where it is narrowed to some rays.
     bool isOfSamples = false;
     CellPlanes holdsLocal{};
-    std::optional<Plane> narrowedToLocal = {}; // receivers outside are too near to the light for this map: the next region's
+    std::optional<Plane> narrowedToLocal =
+        {}; // receivers outside are too near to the light for this map: the next region's
 
     std::optional<PixelRectangle> pixels = {}; // the NDC square is this part of the picture, at a lixel a pixel
 };

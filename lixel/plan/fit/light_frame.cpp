@@ -22,9 +22,15 @@ constexpr double kLeastRelativeW = 1e-6;
 // A rectangle has this size at least, against its distance from the light plane's origin: a map of one line or point is still a map.
 constexpr double kLeastRelativeHalfSize = 1e-9;
 
-// Floats of Local positions and of the map's rows round by this part of their terms: a rectangle is not smaller than some two
-// thousand times that, so that a map of 512 lixels keeps a receiver within a tenth of a lixel. Nor are its depths.
+// Floats round by this part of their terms, 2^-24, wherever they are made: a rectangle is not smaller than some two thousand times
+// that. Nor are its depths.
 constexpr double kLeastPerRounding = 2e3 * 0x1p-24;
+
+// What all roundings on the way to a lixel come to: of the position, of the map's row, of their products, and of three sums.
+constexpr double kRoomPerRounding = 6 * 0x1p-24;
+
+// The part of a rectangle that receivers may stray by rounding: a tenth of a lixel, of 512. Beyond, the rectangle has room.
+constexpr double kUnroomed = 0.1 / 256;
 
 // Half the size of a map of lights at a point, at least: a line through the light is a point in its image, but for the rounding of
 // where the light is. The image of a scene a million of its radii away is a thousand times that.
@@ -63,21 +69,24 @@ Interval over(Vec4d row, Vec3d centre, Vec3d half)
     return {dot(row, point(centre)), std::abs(row.x) * half.x + std::abs(row.y) * half.y + std::abs(row.z) * half.z};
 }
 
-// How far rounding may move points within a rectangle, along its sides: the terms of their coordinates, counted from its middle.
-// Points next to the light, which no map resolves, do not count.
+// How far rounding of one part moves points within a rectangle, along its sides: the terms of their coordinates, counted from its
+// middle. Points next to the light, which no map resolves, count as if they were not quite as near.
 Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, std::span<const Vec3d> points)
 {
     const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
     const auto along = [&](Vec2d axis) { return axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w; };
     const Vec4d u = along(rectangle.axis), v = along({-rectangle.axis.y, rectangle.axis.x});
-    double mostW = 0, leastW = std::numeric_limits<double>::infinity(), farthest = 0;
+    double leastW = std::numeric_limits<double>::infinity(), leastAway = leastW, mostAway = 0, farthest = 0;
     for (const Vec3d& p : points) {
-        const double ofW = dot(w, point(p));
-        mostW = std::max(mostW, ofW);
-        leastW = std::min(leastW, ofW);
+        const Vec3d fromLight = p - frame.apexLocal;
+        const double away = dot(fromLight, fromLight);
+        leastW = std::min(leastW, dot(w, point(p)));
+        leastAway = std::min(leastAway, away);
+        mostAway = std::max(mostAway, away);
         farthest = std::max(farthest, dot(p, p));
     }
-    if (frame.isPerspective) leastW = std::max(leastW, kNextToLight * mostW);
+    const double next = kNextToLight * kNextToLight * mostAway; // a square, as they are
+    const bool isNext = frame.isPerspective && leastAway < next;
 
     // As if all that is worst came together; mostly that is little enough.
     const auto size = [reach = std::sqrt(farthest)](Vec4d r) {
@@ -85,20 +94,28 @@ Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, st
     };
     const Vec2d bound{(size(u) + rectangle.halfSize.x * size(w)) / leastW,
                       (size(v) + rectangle.halfSize.y * size(w)) / leastW};
-    if (kLeastPerRounding * bound.x < rectangle.halfSize.x && kLeastPerRounding * bound.y < rectangle.halfSize.y)
+    if (!isNext && kRoomPerRounding * bound.x < kUnroomed * rectangle.halfSize.x &&
+        kRoomPerRounding * bound.y < kUnroomed * rectangle.halfSize.y)
         return bound;
     Vec2d most;
-    for (const Vec3d& p : points) {
-        const double ofW = dot(w, point(p));
-        if (ofW < leastW) continue;
+    for (Vec3d p : points) {
+        const Vec3d fromLight = p - frame.apexLocal;
+        const double away = dot(fromLight, fromLight);
+        if (isNext && away < next) p = frame.apexLocal + std::sqrt(next / away) * fromLight;
         const auto terms = [&p](Vec4d r) {
             return std::abs(r.x * p.x) + std::abs(r.y * p.y) + std::abs(r.z * p.z) + std::abs(r.w);
         };
-        const double perW = 1 / ofW, termsOfW = terms(w);
+        const double perW = 1 / dot(w, point(p)), termsOfW = terms(w);
         most.x = std::max(most.x, perW * (terms(u) + std::abs(perW * dot(u, point(p))) * termsOfW));
         most.y = std::max(most.y, perW * (terms(v) + std::abs(perW * dot(v, point(p))) * termsOfW));
     }
     return most;
+}
+
+// Half a side with room for rounding: nothing where receivers keep within kUnroomed of their reach anyway.
+double withRoom(double half, double rounding)
+{
+    return std::max({half, kLeastPerRounding * rounding, (1 - kUnroomed) * half + kRoomPerRounding * rounding});
 }
 
 // Depths from the far side span this much at least, for the terms that they are made of.
@@ -204,8 +221,8 @@ Fit fitSides(const LightFrame& frame, const OrientedRectangle& rectangle, double
 // Not less than what floats of positions and of the map's rows resolve.
 OrientedRectangle resolved(OrientedRectangle rectangle, const FramedBody& body)
 {
-    const Vec2d rounding = kLeastPerRounding * roundingIn(body.frame, rectangle, body.points);
-    rectangle.halfSize = {std::max(rectangle.halfSize.x, rounding.x), std::max(rectangle.halfSize.y, rounding.y)};
+    const Vec2d rounding = roundingIn(body.frame, rectangle, body.points);
+    rectangle.halfSize = {withRoom(rectangle.halfSize.x, rounding.x), withRoom(rectangle.halfSize.y, rounding.y)};
     return rectangle;
 }
 
@@ -226,7 +243,7 @@ LightFrame lightFrame(const Light& light, Vec3d originWorld, Vec3d axisLocal)
     const Vec3d apex = isPerspective ? light.positionWorld - originWorld : Vec3d{};
     const auto row = [&apex](Vec3d a) { return Vec4d{a.x, a.y, a.z, -dot(a, apex)}; };
     return {Mat4d::fromRows(row(right), row(up), row(axis), isPerspective ? row(axis) : Vec4d{0, 0, 0, 1}),
-            isPerspective};
+            isPerspective, apex};
 }
 
 DirectionCone coneAround(std::span<const Vec3d> pointsLocal, Vec3d apexLocal, std::vector<Vec3d>& room)

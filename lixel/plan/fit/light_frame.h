@@ -16,6 +16,7 @@ struct LightFrame
 {
     Mat4d framedFromLocal; // rows: x, y, depth, w
     bool isPerspective = false;
+    Vec3d apexLocal;   // perspective: the light, where rows x, y and w vanish
     double leastW = 1; // parallel light: the smallest w of what must be held
 };
 

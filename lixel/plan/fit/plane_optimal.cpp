@@ -145,6 +145,7 @@ Expected<LightFrame, FitFailure> planeOptimalFrame(const View& view, const Light
     };
     LightFrame frame;
     frame.isPerspective = light.kind != LightKind::Directional;
+    if (frame.isPerspective) frame.apexLocal = light.positionWorld - originWorld;
     const Vec4d rowX = toLocal(alongLight(0.5 * view.width * (clip.row(0) + w)));
     const Vec4d rowY = toLocal(alongLight(0.5 * view.height * (clip.row(1) + w)));
     const Vec4d rowW = toLocal(alongLight(w));

@@ -15,8 +15,9 @@ namespace {
 // Depths that span less of the farthest are one but for rounding.
 constexpr double kLeastSpan = 1e-9;
 
-// How near, along its axis, the light may come to what is seen in the virtual view's cube, against its distance from the farthest.
-constexpr double kLeastRelativeDistance = 0.02;
+// How far aside from its axis the light may see something in the virtual view's cube, as a tangent: 88.8 degrees, as for any
+// perspective map. It is the same all along a ray, of whose points any may be the corner that was kept.
+constexpr double kMostTangent = 50;
 
 // Steps of moving the virtual camera back, against the farthest depth that is seen, each twice the last.
 constexpr double kFirstStep = 1.0 / 16;
@@ -47,9 +48,16 @@ Mat4d virtualClipFromLocal(const FitInput& input, const ViewDepth& depth, double
     return Mat4d::fromRows((1 / perDepth) * clip.row(0), (1 / perDepth) * clip.row(1), z, w);
 }
 
-// How the light sees the cube of the virtual view, as a frame on Local space: rows vanish at the light, w is 1 at the
-// cube's middle. The same formula serves lights at infinity there, whose fourth coordinate is 0.
-Mat4d lookAtCube(const Mat4d& virtualClip, Vec4d lightLocal, Vec4d depthRow)
+// How the light sees the cube of the virtual view.
+struct CubeFrame
+{
+    Mat4d framedFromLocal; // rows vanish at the light; w is 1 at the cube's middle
+    double
+        perDistance; // of the light from the middle, 0 for one at infinity: x and y of 1 / perDistance are 45 degrees aside
+};
+
+// The same formula serves lights at infinity there, whose fourth coordinate is 0.
+CubeFrame lookAtCube(const Mat4d& virtualClip, Vec4d lightLocal, Vec4d depthRow)
 {
     const Vec4d l = virtualClip * lightLocal;
     const Vec3d toLight = l.w < 0 ? -xyz(l) : xyz(l);
@@ -57,7 +65,7 @@ Mat4d lookAtCube(const Mat4d& virtualClip, Vec4d lightLocal, Vec4d depthRow)
     const Vec3d axis = -normalized(toLight), right = anyPerpendicular(axis), up = cross(right, axis);
     const Vec4d cx = virtualClip.row(0), cy = virtualClip.row(1), cz = virtualClip.row(2), cw = virtualClip.row(3);
     const auto along = [&](Vec3d a) { return a.x * cx + a.y * cy + a.z * cz; };
-    return Mat4d::fromRows(along(right), along(up), depthRow, perDistance * along(axis) + cw);
+    return {Mat4d::fromRows(along(right), along(up), depthRow, perDistance * along(axis) + cw), perDistance};
 }
 
 // The body as the light sees it in the virtual view; nothing where the light lies within or beside it there.
@@ -66,17 +74,16 @@ std::optional<FramedBody> seenByLight(const FitInput& input, const Mat4d& virtua
     const bool isParallel = input.light.kind == LightKind::Directional;
     const Vec4d lightLocal =
         isParallel ? direction(-input.light.directionWorld) : point(input.light.positionWorld - input.originWorld);
+    const CubeFrame cube = lookAtCube(virtualClip, lightLocal, body.frame.framedFromLocal.row(2));
     FramedBody seen = body;
-    seen.frame = {lookAtCube(virtualClip, lightLocal, body.frame.framedFromLocal.row(2)), !isParallel, 1};
+    seen.frame.framedFromLocal = cube.framedFromLocal;
     if (!isParallel) seen.frame.framedFromLocal.setRow(2, seen.frame.framedFromLocal.row(3));
-    double least = std::numeric_limits<double>::infinity(), most = 0;
-    for (const Vec3d& p : body.corners) {
-        // Against the view's own w, it is how far the light is from the point, in the virtual view's cube.
-        const double w = dot(seen.frame.framedFromLocal.row(3), point(p)) / dot(virtualClip.row(3), point(p));
-        least = std::min(least, w);
-        most = std::max(most, w);
-    }
-    if (!(least > kLeastRelativeDistance * most)) return std::nullopt;
+    const bool isBefore = std::all_of(body.corners.begin(), body.corners.end(), [&](Vec3d p) {
+        const Vec4d q = cube.framedFromLocal * point(p);
+        const double most = kMostTangent * q.w, perDistance = cube.perDistance;
+        return q.w > 0 && perDistance * perDistance * (q.x * q.x + q.y * q.y) < most * most;
+    });
+    if (!isBefore) return std::nullopt;
     return held(seen);
 }
 

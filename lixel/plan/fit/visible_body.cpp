@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -12,6 +11,10 @@ namespace lixel {
 namespace {
 
 constexpr std::size_t kConeSides = 8;
+
+// Corners outside a plane by less than this part of what their distance is made of lie in it: several planes meet at a light, and
+// rounding would cut what is there again and again.
+constexpr double kInPlane = 1e-13;
 
 // Half-spaces around a spot's cone, last in their list: eight through the light, touching the cone.
 void addCone(const Light& light, Vec3d lightLocal, BodyPlanes& planes)
@@ -104,28 +107,42 @@ struct CutCorner
 using CutCorners = FixedVector<CutCorner, 2 * (6 + BodyPlanes::capacity()) - 4>;
 static_assert(6 + BodyPlanes::capacity() <= 64);
 
-// What a plane leaves: the corners inside, and one on each edge that it crosses. Corners that share two planes share an edge (T.
-// Motzkin et al. The Double Description Method. 1953); a corner in the plane counts as inside, so that in terms of planes no
-// more than three ever meet, whatever rounding makes of places.
-CutCorners cut(const CutCorners& corners, const Plane& plane, std::uint64_t bit)
+bool hasTwo(std::uint64_t bits)
 {
-    std::array<double, CutCorners::capacity()> distance;
+    return (bits & (bits - 1)) != 0;
+} // at least; std::popcount is a call without its instruction
+
+// What a plane leaves: the corners inside, and one on each edge that it crosses. Corners that share two planes share an edge (T.
+// Motzkin et al. The Double Description Method. 1953); a corner in the plane, or nearer than `slack` to it, counts as inside, so
+// that in terms of planes no more than three ever meet, whatever rounding makes of places. Where rounding makes more corners than
+// a polytope has, the plane cuts nothing: what is held is never less than there is.
+void cut(CutCorners& corners, const Plane& plane, double slack, std::uint64_t bit)
+{
     CutCorners kept;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        distance[i] = plane.signedDistance(corners[i].p);
-        if (distance[i] >= 0) kept.push_back(corners[i]);
+    struct Outside
+    {
+        const CutCorner* corner;
+        double distance;
+    };
+    FixedVector<Outside, CutCorners::capacity()> outside;
+    for (const CutCorner& corner : corners) {
+        const double distance = plane.signedDistance(corner.p);
+        if (distance >= -slack) kept.push_back(corner);
+        else outside.push_back({&corner, distance});
     }
-    if (kept.size() == corners.size() || kept.empty()) return kept;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (distance[i] < 0) continue;
-        for (std::size_t j = 0; j < corners.size(); ++j) {
-            const std::uint64_t shared = corners[i].planes & corners[j].planes;
-            if (distance[j] >= 0 || std::popcount(shared) < 2) continue;
-            const double share = distance[i] / (distance[i] - distance[j]);
-            kept.push_back({corners[i].p + share * (corners[j].p - corners[i].p), shared | bit});
+    if (outside.empty()) return;
+    const std::size_t inside = kept.size();
+    for (std::size_t i = 0; i < inside; ++i) {
+        const CutCorner from = kept[i];
+        for (const auto& [to, distance] : outside) {
+            const std::uint64_t shared = from.planes & to->planes;
+            if (!hasTwo(shared)) continue;
+            if (kept.size() == CutCorners::capacity()) return;
+            const double before = std::max(plane.signedDistance(from.p), 0.0);
+            kept.push_back({from.p + before / (before - distance) * (to->p - from.p), shared | bit});
         }
     }
-    return kept;
+    corners = kept;
 }
 
 } // namespace
@@ -142,15 +159,19 @@ void appendClippedBox(const Box& box, std::span<const Plane> planes, std::vector
         if (middle < -reach) return;
         if (middle < reach) cutting[cuts++] = &plane;
     }
+    const std::array<Vec3d, 8> boxCorners = box.corners();
     if (cuts == 0) {
-        for (const Vec3d& corner : box.corners()) points.push_back(corner);
+        points.insert(points.end(), boxCorners.begin(), boxCorners.end());
         return;
     }
-    const std::array<Vec3d, 8> boxCorners = box.corners();
     CutCorners corners;
     for (std::uint32_t i = 0; i < 8; ++i)
         corners.push_back({boxCorners[i], (i & 1 ? 2u : 1u) | (i & 2 ? 8u : 4u) | (i & 4 ? 32u : 16u)});
-    for (std::size_t i = 0; i < cuts; ++i) corners = cut(corners, *cutting[i], std::uint64_t{64} << i);
+    const double farthest = length(centre) + length(half);
+    for (std::size_t i = 0; i < cuts; ++i) {
+        const double slack = kInPlane * (std::abs(cutting[i]->offset) + farthest);
+        cut(corners, *cutting[i], slack, std::uint64_t{64} << i);
+    }
     for (const CutCorner& corner : corners) points.push_back(corner.p);
 }
 

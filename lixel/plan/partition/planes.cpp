@@ -97,7 +97,8 @@ InterestPlane interestPlane(const NamedPlane& plane, Vec3d originWorld, int numb
     if (hull.size() > out.polygonLocal.capacity()) {
         const OrientedRectangle r = minimumAreaRectangle(hull);
         const Vec2d a = r.halfSize.x * r.axis, b = r.halfSize.y * Vec2d{-r.axis.y, r.axis.x};
-        for (const Vec2d& corner : {r.centre - a - b, r.centre + a - b, r.centre + a + b, r.centre - a + b}) add(corner);
+        for (const Vec2d& corner : {r.centre - a - b, r.centre + a - b, r.centre + a + b, r.centre - a + b})
+            add(corner);
     } else if (hull.size() >= 3) {
         for (const Vec2d& corner : hull) add(corner);
     }

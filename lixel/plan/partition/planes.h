@@ -13,9 +13,9 @@ namespace lixel {
 // A plane of interest as a partition takes it.
 struct InterestPlane
 {
-    Plane planeLocal;                      // unit normal, either way
-    FixedVector<Vec3d, 8> polygonLocal{};  // convex, corners in order, either way round; empty: the whole plane
-    int number = -1;                       // the caller's
+    Plane planeLocal;                     // unit normal, either way
+    FixedVector<Vec3d, 8> polygonLocal{}; // convex, corners in order, either way round; empty: the whole plane
+    int number = -1;                      // the caller's
 };
 inline constexpr std::size_t kMostPlanes = 8;
 using InterestPlanes = FixedVector<InterestPlane, kMostPlanes>;
