@@ -46,10 +46,15 @@ struct JudgedPlane
     // Most samples lie on it to rounding: it ends where they do.
     bool isSharp() const { return 4 * sharp > 3 * count; }
 
-    // Where a third as many samples lie beside it as on it, it is a slice of something curved or rough: a slice of a cylinder
-    // has 1.1 times as many beside it, one of a sphere 3.5 times, one of a wave where that is straight as many. A sharp plane may
-    // have others beside it that are parallel, as kerbs from far away.
-    bool isSlice() const { return 3 * (isSharp() ? beside - parallel : beside) > count; }
+    // A slice of something curved or rough ends where the tolerance does, not where the surface does: distances fill the tolerance
+    // (evenly they have a root mean square of 0.58), or a third as many samples lie beside it as on it (beside a slice of a
+    // cylinder 1.1 times as many, of a sphere 3.5 times). A sharp plane may have others beside it that are parallel, as
+    // kerbs from far away.
+    bool isSlice() const
+    {
+        const bool fillsTolerance = !isSharp() && miss > 0.45;
+        return fillsTolerance || 3 * (isSharp() ? beside - parallel : beside) > count;
+    }
 };
 
 JudgedPlane judgePlane(std::span<const PlaneSample> group, const Plane& plane);
