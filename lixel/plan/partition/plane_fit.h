@@ -52,7 +52,7 @@ struct JudgedPlane
     // kerbs from far away.
     bool isSlice() const
     {
-        const bool fillsTolerance = !isSharp() && miss > 0.45;
+        const bool fillsTolerance = !isSharp() && miss > 0.35;
         return fillsTolerance || 3 * (isSharp() ? beside - parallel : beside) > count;
     }
 };
