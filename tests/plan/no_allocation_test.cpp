@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames like those before allocate nothing in plan. This program counts what operator new is asked for.
+#include "lixel/plan/partition/find_planes.h"
 #include "lixel/plan/shadow_plan.h"
 #include "plan/ordinary_setups.h"
 
@@ -87,6 +88,28 @@ INSTANTIATE_TEST_SUITE_P(Techniques, NoAllocation,
                          testing::Values("uniform", "focused", "focused(stable)", "desired-view",
                                          "desired-view(rotated)", "minimal-frustum", "psm", "tsm", "lispsm",
                                          "lispsm(stable)", "pssm(4)+lispsm", "sdsm(4)", "cube", "psm+else(cube)"));
+
+TEST(NoAllocation, PlanesAreSoughtInTheSameRoomAgain)
+{
+    test::Rng rng(20040621);
+    PlaneScratch scratch;
+    FoundPlanes found;
+    const auto seek = [&](std::size_t count) {
+        std::vector<Vec3d> points, normals;
+        for (std::size_t i = 0; i < count; ++i) {
+            const int side = rng.integer(0, 3);
+            const Vec3d p = rng.inBox(1);
+            points.push_back(side == 0 ? Vec3d{p.x, 0, p.z} : side == 1 ? Vec3d{p.x, p.y, 0} : p);
+            normals.push_back(side == 0 ? Vec3d{0, 1, 0} : side == 1 ? Vec3d{0, 0, 1} : rng.onSphere());
+        }
+        const long before = allocations;
+        findPlanes({points, normals, {}, {0, 0, 0, 1e-3}}, scratch, found);
+        return allocations - before;
+    };
+    seek(10); // the first call makes all the room, however short its list
+    for (const std::size_t count : {3000u, 40000u, 5u, 5000u}) EXPECT_EQ(seek(count), 0);
+    EXPECT_EQ(found.size(), 2u);
+}
 
 } // namespace
 } // namespace lixel
