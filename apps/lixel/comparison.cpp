@@ -76,6 +76,12 @@ Measurement measured(const ShotContext& context, std::size_t light, const Visibi
     m.edgeBand = {s.edgeBand.samples, s.edgeBand.misclassified};
     m.terminatorBand = {s.terminatorBand.samples, s.terminatorBand.misclassified};
     m.interior = {s.interior.samples, s.interior.misclassified};
+    const std::span<const NamedPlane> planes = context.shooting.planes;
+    if (planes.empty()) return m;
+    const std::vector<ZoneScore> onPlanes = scoreOfPlanes(
+        context.truth.plane, planes.size(), context.truth.zones[light], visibility.value, context.truth.exact[light]);
+    for (std::size_t i = 0; i < onPlanes.size(); ++i)
+        m.planes.push_back({i < planes.size() ? planes[i].name : "", {onPlanes[i].samples, onPlanes[i].misclassified}});
     return m;
 }
 
@@ -115,12 +121,21 @@ private:
     std::string stem_;
 };
 
+std::string nameOfPlane(int plane, const ShotContext& context)
+{
+    return plane < 0 ? "" : context.shooting.planes[std::size_t(plane)].name;
+}
+
 // What the map of a light costs, and how its lixels lie on the picture.
 void addMap(const ShotContext& context, const FramePlan& plan, std::size_t light, const PictureWriter& pictures,
             const std::string& lightName, Measurement& m)
 {
     m.lixelsUsed = plan.lixelsOf(light);
     m.bytes = m.lixelsUsed * plan.lookup.bytesPerLixel;
+    for (const PlannedRegion& region : plan.lights[light].regions)
+        m.regions.push_back({nameOfPlane(region.plane, context), region.rectangle.width(), region.rectangle.height()});
+    for (const LeftOutPlane& left : plan.lights[light].leftOut)
+        m.leftOut.push_back({nameOfPlane(left.plane, context), std::string(nameOf(left.why))});
     Density density = densityOf(context, plan.lights[light], light);
     if (pictures.isWanted())
         m.pictures.density = pictures.write(densityPicture(density.lixelsPerPixel), lightName + "-density");
@@ -213,9 +228,11 @@ std::vector<ResultRow> rowsOfAll(const ShotContext& context, std::span<const std
 
 } // namespace
 
-Truth findTruth(const Stage& stage, const ViewSamples& samples, std::span<const Light> lights)
+Truth findTruth(const Stage& stage, const ViewSamples& samples, std::span<const Light> lights,
+                std::span<const NamedPlane> planes)
 {
     Truth truth;
+    truth.plane = planeOfSamples(samples, planes);
     for (const Light& light : lights) {
         truth.exact.push_back(exactVisibility(*stage.traced, samples, light));
         truth.zones.push_back(zonesOf(samples, light, truth.exact.back()));
@@ -236,7 +253,7 @@ std::vector<ResultRow> compareShot(const Shooting& shooting, const Shot& shot, c
     onStep(shot.name + ": view samples");
     const ViewSamples samples = executors.front()->viewSamples(stage, view);
     onStep(shot.name + ": exact visibility");
-    const Truth truth = findTruth(stage, samples, shot.lights);
+    const Truth truth = findTruth(stage, samples, shot.lights, shooting.planes);
     const ShotContext context{shooting, shot, stage, view, samples, truth, options};
 
     std::vector<ResultRow> all;

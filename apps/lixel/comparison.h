@@ -2,6 +2,7 @@
 #pragma once
 
 #include "executor.h"
+#include "lixel/judge/on_planes.h"
 #include "lixel/judge/score.h"
 #include "lixel/plan/technique.h"
 #include "picture_options.h"
@@ -29,8 +30,10 @@ struct Truth
 {
     std::vector<std::vector<float>> exact; // [light][sample]
     std::vector<std::vector<Zone>> zones;  // [light][sample]
+    std::vector<int> plane;                // [sample]: on which of the scene's planes, or kOnNoPlane
 };
-Truth findTruth(const Stage& stage, const ViewSamples& samples, std::span<const Light> lights);
+Truth findTruth(const Stage& stage, const ViewSamples& samples, std::span<const Light> lights,
+                std::span<const NamedPlane> planes);
 
 // All rows of one shot: techniques x lights x executors. The first executor provides the view samples; with two, rows carry
 // their agreement.

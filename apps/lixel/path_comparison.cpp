@@ -117,7 +117,7 @@ Moment PathComparison::momentOf(std::size_t number)
     now.view = frame.view;
     now.samples = executors_.front()->viewSamples(*now.stage, now.view);
     onStep_(nameOf(number, "exact visibility"));
-    now.truth = findTruth(*now.stage, now.samples, frame.shot.lights);
+    now.truth = findTruth(*now.stage, now.samples, frame.shot.lights, path_.shooting.planes);
     for (std::size_t light = 0; light < lights_; ++light)
         now.exact.push_back(exactStates(now.truth.zones[light], now.truth.exact[light]));
     return now;

@@ -42,6 +42,9 @@ void PathRow::add(const Measurement& counts)
     sum_.falseShadow += counts.falseShadow;
     sum_.falseLit += counts.falseLit;
     sum_.unserved += counts.unserved;
+    if (sum_.planes.empty()) sum_.planes = counts.planes;
+    else
+        for (std::size_t i = 0; i < counts.planes.size(); ++i) addTo(sum_.planes[i].count, counts.planes[i].count);
     addTo(sum_.edgeBand, counts.edgeBand);
     addTo(sum_.terminatorBand, counts.terminatorBand);
     addTo(sum_.interior, counts.interior);

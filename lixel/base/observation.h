@@ -38,8 +38,9 @@ struct Observation
     // Bit i: at a shadow boundary of light i. A neighbour on the same surface, both facing the light, is not lit alike.
     std::vector<std::uint32_t> atBoundary;
 
-    View view;         // that it was taken with
-    int ageFrames = 0; // 0: of this very frame, 1: of the one before
+    ObservationGrid grid; // cells, whether they see a surface or not
+    View view;            // that it was taken with
+    int ageFrames = 0;    // 0: of this very frame, 1: of the one before
 };
 
 } // namespace lixel

@@ -104,7 +104,8 @@ LightPlanner::LightPlanner(const PlanInput& input, std::size_t number, const Box
                 {},
                 input.technique.isStable,
                 {},
-                input.technique.allocation == Allocation::Exact}
+                input.technique.allocation == Allocation::Exact},
+      predictor_(input.view, input.originWorld)
 {
     const Light& light = input.lights[number];
     gatherSeen(input, light, scratch);
@@ -234,9 +235,8 @@ LightPlanner::Candidate* LightPlanner::serving(Vec3d pointLocal)
 void LightPlanner::findNeeds()
 {
     for (Candidate& candidate : candidates_) candidate.need = {};
-    for (const NeedSample& sample : scratch_.need)
-        if (Candidate* candidate = serving(sample.pointLocal))
-            candidate->need += needOf(candidate->fit, input_.view, input_.originWorld, sample);
+    for (const NeedSample& sample : scratch_.need.samples)
+        if (Candidate* candidate = serving(sample.pointLocal)) candidate->need += predictor_.of(candidate->fit, sample);
 }
 
 // From here on only those view samples count that no region holds. Whether there may be any such receiver.

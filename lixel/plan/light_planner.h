@@ -52,6 +52,7 @@ private:
     const PlanInput& input_;
     FitScratch& scratch_;
     FitInput fitInput_;
+    NeedPredictor predictor_;
     Candidates candidates_;
     std::span<const Vec3d> seenLocal_; // view samples that face the light and are still to be served
     bool isCropping_ = false;          // what is added now serves scratch.rays only

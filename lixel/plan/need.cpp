@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/need.h"
 
-#include "lixel/plan/footprint.h"
-
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 
 namespace lixel {
 namespace {
@@ -34,16 +34,85 @@ void takeEvenly(std::size_t count, std::size_t most, const Wanted& wanted, const
     }
 }
 
+// Which cells of an observation are lit, as a grid.
+class LitGrid
+{
+public:
+    template <typename IsFacing>
+    LitGrid(const Observation& observed, std::uint32_t bit, const IsFacing& isFacing, std::vector<std::int8_t>& room)
+        : observed_(observed), room_(room)
+    {
+        room.assign(std::size_t(observed.grid.width) * std::size_t(observed.grid.height), kUnknown);
+        for (std::size_t i = 0; i < observed.samples.size(); ++i)
+            if (isFacing(i)) room[cellOf(observed.samples.pixel[i])] = (observed.lit[i] & bit) != 0;
+    }
+
+    // The direction in which light changes around a cell, in pixels, of length 1; zero where there is none.
+    Vec2d acrossEdge(Vec2f pixel) const
+    {
+        const ObservationGrid& grid = observed_.grid;
+        const auto cell = int(cellOf(pixel));
+        const int column = cell % grid.width, row = cell / grid.width;
+        Vec2d sum, sumOfLit;
+        double count = 0, lit = 0;
+        for (int y = std::max(0, row - kWindow); y <= std::min(grid.height - 1, row + kWindow); ++y)
+            for (int x = std::max(0, column - kWindow); x <= std::min(grid.width - 1, column + kWindow); ++x) {
+                const std::int8_t value = room_[std::size_t(y) * std::size_t(grid.width) + std::size_t(x)];
+                if (value == kUnknown) continue;
+                const Vec2d at{double(x - column) / grid.width * observed_.samples.width,
+                               double(y - row) / grid.height * observed_.samples.height};
+                sum = sum + at, count += 1;
+                if (value != 0) sumOfLit = sumOfLit + at, lit += 1;
+            }
+        const Vec2d change = sumOfLit - lit / std::max(count, 1.0) * sum;
+        const double size = length(change);
+        return size > 1e-6 ? 1 / size * change : Vec2d{};
+    }
+
+private:
+    static constexpr std::int8_t kUnknown = -1;
+    static constexpr int kWindow = 2; // cells to every side
+
+    std::size_t cellOf(Vec2f pixel) const
+    {
+        const ObservationGrid& grid = observed_.grid;
+        const int column =
+            std::clamp(int(pixel.x * float(grid.width) / float(observed_.samples.width)), 0, grid.width - 1);
+        const int row =
+            std::clamp(int(pixel.y * float(grid.height) / float(observed_.samples.height)), 0, grid.height - 1);
+        return std::size_t(row) * std::size_t(grid.width) + std::size_t(column);
+    }
+
+    const Observation& observed_;
+    std::vector<std::int8_t>& room_;
+};
+
+// How a surface lies in an image: what its unit tangents are there.
+struct PlaneImage
+{
+    Vec2d first, second;
+
+    PlaneImage(const Mat4d& image, Vec3d pointLocal, Vec3d t1, Vec3d t2)
+    {
+        const Vec4d at = image * point(pointLocal);
+        const auto along = [&](Vec3d tangent) {
+            const Vec4d change = image * direction(tangent);
+            return Vec2d{(change.x - change.w * (at.x / at.w)) / at.w, (change.y - change.w * (at.y / at.w)) / at.w};
+        };
+        first = along(t1), second = along(t2);
+    }
+};
+
 } // namespace
 
-void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld,
-                       std::vector<NeedSample>& samples)
+void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld, NeedScratch& scratch)
 {
+    std::vector<NeedSample>& samples = scratch.samples;
     samples.clear();
     const Observation* observed = source.observed;
     if (!observed || observed->atBoundary.empty() || source.lightNumber >= kObservedLights) {
         const auto any = [](std::size_t) { return true; };
-        const auto seen = [&](std::size_t i) { return NeedSample{source.seenLocal[i], source.seenNormal[i], 1}; };
+        const auto seen = [&](std::size_t i) { return NeedSample{source.seenLocal[i], source.seenNormal[i]}; };
         takeEvenly(source.seenLocal.size(), kMostAtBoundaries + kMostOthers, any, seen, samples);
         return;
     }
@@ -51,35 +120,53 @@ void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d origi
     const Vec3d toLocal = cells.originWorld - originWorld;
     const auto at = [&](std::size_t i) { return toDouble(cells.positionLocal[i]) + toLocal; };
     const auto normal = [&](std::size_t i) { return toDouble(cells.normal[i]); };
+    const auto isFacing = [&](std::size_t i) { return isLightFacing(light, originWorld, at(i), normal(i)); };
     const std::uint32_t bit = std::uint32_t{1} << source.lightNumber;
     const auto isAtBoundary = [&](std::size_t i) { return (observed->atBoundary[i] & bit) != 0; };
-    const auto isAway = [&](std::size_t i) {
-        return !isAtBoundary(i) && isLightFacing(light, originWorld, at(i), normal(i));
-    };
+
+    const LitGrid grid(*observed, bit, isFacing, scratch.lit);
     takeEvenly(
         cells.size(), kMostAtBoundaries, isAtBoundary,
         [&](std::size_t i) {
-            return NeedSample{at(i), normal(i), double(cells.weightOf(i))};
+            return NeedSample{at(i), normal(i), double(cells.weightOf(i)), grid.acrossEdge(cells.pixel[i])};
         },
         samples);
     takeEvenly(
-        cells.size(), kMostOthers, isAway,
+        cells.size(), kMostOthers, [&](std::size_t i) { return !isAtBoundary(i) && isFacing(i); },
         [&](std::size_t i) {
             return NeedSample{at(i), normal(i), kAwayFromBoundaries * double(cells.weightOf(i))};
         },
         samples);
 }
 
-Need needOf(const Fit& fit, const View& view, Vec3d originWorld, const NeedSample& sample)
+NeedPredictor::NeedPredictor(const View& view, Vec3d originWorld)
+    : pixelsFromLocal_(clipFromLocal(view, originWorld)), most_(kMostDiagonals * std::hypot(view.width, view.height))
 {
-    const LightImage image(fit.lightClipFromLocal, {0, 0, 1, 1, 0});
-    const auto f = footprint(view, originWorld, image, sample.pointLocal, sample.normal);
-    if (!f) return {};
-    // Columns of the inverse: pixels along a step of x, and of y.
-    const auto& m = f->lixelFromPixel;
-    const double most = kMostDiagonals * std::hypot(view.width, view.height), area = f->lixelsPerPixel;
-    const auto capped = [&](double length) { return area > 0 ? std::min(length / area, most) : most; };
-    return {sample.weight * capped(std::hypot(m[1][1], m[1][0])), sample.weight * capped(std::hypot(m[0][1], m[0][0]))};
+    pixelsFromLocal_.setRow(0, 0.5 * view.width * pixelsFromLocal_.row(0));
+    pixelsFromLocal_.setRow(1, 0.5 * view.height * pixelsFromLocal_.row(1));
+}
+
+Need NeedPredictor::of(const Fit& fit, const NeedSample& sample) const
+{
+    const Vec3d t1 = anyPerpendicular(sample.normal), t2 = cross(sample.normal, t1);
+    const PlaneImage picture(pixelsFromLocal_, sample.pointLocal, t1, t2),
+        map(fit.lightClipFromLocal, sample.pointLocal, t1, t2);
+    // A lixel of a map of one: its square has side 2. Its sides on the surface, along t1 and t2.
+    const double area = cross(map.first, map.second);
+    if (!(std::abs(area) > 0)) return {sample.weight * most_, sample.weight * most_};
+    const Vec2d x{2 * map.second.y / area, -2 * map.first.y / area},
+        y{-2 * map.second.x / area, 2 * map.first.x / area};
+    const auto capped = [&](double width) { return sample.weight * std::min(width, most_); };
+    if (std::getenv("LXISO") || sample.acrossEdge == Vec2d{}) {
+        const double foreshortening =
+            std::abs(cross(picture.first, picture.second)) /
+            std::sqrt(0.5 * (dot(picture.first, picture.first) + dot(picture.second, picture.second)));
+        return {capped(foreshortening * length(x)), capped(foreshortening * length(y))};
+    }
+    const auto across = [&](Vec2d side) {
+        return std::abs(dot(sample.acrossEdge, side.x * picture.first + side.y * picture.second));
+    };
+    return {capped(across(x)), capped(across(y))};
 }
 
 } // namespace lixel

@@ -8,23 +8,23 @@
 #include <span>
 #include <vector>
 
-// Predicted error: how wide lixels are in the picture where shadows end. Budgets are shared by it, and planes chosen.
+// Predicted error: how wide lixels are in the picture across the edges of shadows. Budgets are shared by it, and planes chosen.
 namespace lixel {
 
-// A few hundred of the receivers that face a light, for predictions. Of an observation all that lie at shadow boundaries, as far as
-// there is room, and some others at a fiftieth of their weight, since boundaries may have been missed; without one, even
-// samples of what is seen. `light` is its number in the observation.
+// Receivers that face a light, for predictions.
 struct NeedSource
 {
-    const Observation* observed = nullptr;
-    std::size_t lightNumber = 0;
-    std::span<const Vec3d> seenLocal, seenNormal; // facing the light
+    const Observation* observed = nullptr; // where shadows end; nothing: unknown
+    std::size_t lightNumber = 0;           // in the observation
+    std::span<const Vec3d> seenLocal, seenNormal;
 };
-void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld,
-                       std::vector<NeedSample>& samples);
 
-// Sums, over samples, of how long one step of a map's x and y is in the picture, the map having one lixel. A lixel misplaces the
-// shadow's edge by about half its width across the edge, so with width by height lixels errors go with
+// A few hundred of them: of an observation all at shadow boundaries, as far as there is room, with the direction in which light changes
+// there, and some others at a fiftieth of their weight, since boundaries may have been missed; without one, evenly of what is seen.
+void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld, NeedScratch& scratch);
+
+// Sums, over samples, of how wide one step of a map's x and y is in the picture across the shadow's edge, the map having one lixel.
+// A lixel misplaces the edge by about half its width, so with width by height lixels errors go with
 // alongX / width + alongY / height.
 struct Need
 {
@@ -42,7 +42,17 @@ struct Need
     }
 };
 
-// Of one sample that the fit holds. Edge-on surfaces have endless lixels; none counts as more than some pictures.
-Need needOf(const Fit& fit, const View& view, Vec3d originWorld, const NeedSample& sample);
+// What a map does to one sample that it holds. An edge of unknown direction has, on the surface, any direction alike, so that in the
+// picture it is foreshortened as the surface is. Edge-on surfaces have endless lixels; none counts as more than some pictures.
+class NeedPredictor
+{
+public:
+    NeedPredictor(const View& view, Vec3d originWorld);
+    Need of(const Fit& fit, const NeedSample& sample) const;
+
+private:
+    Mat4d pixelsFromLocal_; // rows: pixel x and y times w, unused, w
+    double most_;
+};
 
 } // namespace lixel

@@ -115,6 +115,7 @@ void listCells(std::span<const shared::ObservedPoint> cells, const ObservedFrame
     samples.weight.clear(), samples.atDepthJump.clear();
     out.lit.clear(), out.atBoundary.clear();
     out.view = frame.view;
+    out.grid = frame.grid;
     const auto width = std::uint32_t(frame.view.width);
     const float weight = float(frame.view.width) * float(frame.view.height) / float(cells.size());
     for (const shared::ObservedPoint& cell : cells) {

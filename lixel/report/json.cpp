@@ -74,6 +74,34 @@ Json timing(const RowTiming& of)
     return {{"frame_ms", orNull(of.frameMs)}, {"gpu_ms", orNull(of.gpuMs)}, {"clock", of.clock}, {"passes", passes}};
 }
 
+Json nameOrNull(const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); }
+
+Json planes(const std::vector<PlaneSamples>& of)
+{
+    Json json = Json::array();
+    for (const auto& [plane, count] : of)
+        json.push_back({{"plane", nameOrNull(plane)},
+                        {"samples", count.samples},
+                        {"misclassified", count.misclassified},
+                        {"misclassified_percent", percent(count.misclassified, count.samples)}});
+    return json;
+}
+
+Json regions(const std::vector<RegionUse>& of)
+{
+    Json json = Json::array();
+    for (const RegionUse& region : of)
+        json.push_back({{"plane", nameOrNull(region.plane)}, {"lixels", {region.width, region.height}}});
+    return json;
+}
+
+Json leftOut(const std::vector<LeftOut>& of)
+{
+    Json json = Json::array();
+    for (const auto& [plane, reason] : of) json.push_back({{"plane", plane}, {"reason", reason}});
+    return json;
+}
+
 void putMeasurement(Json& row, const Measurement& of)
 {
     row["light_facing"] = of.lightFacing;
@@ -84,9 +112,12 @@ void putMeasurement(Json& row, const Measurement& of)
     putCount(row, "edge_band", of.edgeBand);
     putCount(row, "terminator_band", of.terminatorBand);
     putCount(row, "interior", of.interior);
+    if (!of.planes.empty()) row["planes"] = planes(of.planes);
     row["unserved"] = of.unserved;
     row["lixels_used"] = of.lixelsUsed;
     row["bytes"] = of.bytes;
+    if (!of.regions.empty()) row["regions"] = regions(of.regions);
+    if (!of.leftOut.empty()) row["left_out"] = leftOut(of.leftOut);
     row["footprint_pixels_per_lixel"] = percentiles(of.footprintPixelsPerLixel);
     row["density_lixels_per_pixel"] = percentiles(of.densityLixelsPerPixel);
     if (of.agreement) {

@@ -88,6 +88,26 @@ struct RunTiming
     double totalSeconds = 0;
 };
 
+// Samples on one of the scene's planes of interest, or on none of them.
+struct PlaneSamples
+{
+    std::string plane;
+    SampleCount count;
+};
+
+// One map of a light, in the order they serve.
+struct RegionUse
+{
+    std::string plane;         // that it is for; empty: another region
+    int width = 0, height = 0; // lixels
+};
+
+// A plane that a technique asks for and that has no map.
+struct LeftOut
+{
+    std::string plane, reason;
+};
+
 struct Measurement
 {
     std::int64_t lightFacing = 0; // view samples that count
@@ -95,8 +115,11 @@ struct Measurement
     std::int64_t falseShadow = 0; // dark, exactly lit
     std::int64_t falseLit = 0;    // lit, exactly dark
     SampleCount edgeBand, terminatorBand, interior;
-    std::int64_t unserved = 0;                          // view samples that no region held
-    std::int64_t lixelsUsed = 0;                        // all lixels drawn or allocated for the light in a frame
+    std::vector<PlaneSamples> planes; // of scenes that name some: in their order, then, unnamed, the rest
+    std::int64_t unserved = 0;        // view samples that no region held
+    std::int64_t lixelsUsed = 0;      // all lixels drawn or allocated for the light in a frame
+    std::vector<RegionUse> regions;
+    std::vector<LeftOut> leftOut;
     std::int64_t bytes = 0;                             // of all maps and tables of the light
     std::optional<Percentiles> footprintPixelsPerLixel; // no value: a technique without a map
     std::optional<Percentiles> densityLixelsPerPixel;

@@ -40,7 +40,13 @@ using RayPolygon = FixedVector<Vec3d, kMostRayCorners>;
 struct NeedSample
 {
     Vec3d pointLocal, normal;
-    double weight = 1; // pixels that it stands for, times how likely a shadow ends there
+    double weight = 1;  // pixels that it stands for, times how likely a shadow ends there
+    Vec2d acrossEdge{}; // unit direction in the picture, across the shadow's edge; zero: unknown
+};
+struct NeedScratch
+{
+    std::vector<NeedSample> samples;
+    std::vector<std::int8_t> lit; // of an observation's cells
 };
 
 // A plane of interest that has no region, and why.
@@ -63,7 +69,7 @@ struct FitScratch
     // View samples that face the light, those of them that no region serves yet, and those of a region.
     std::vector<Vec3d> seenLocal, seenNormal, seenUnservedLocal, seenInCellLocal;
     std::vector<RayPolygon> rays, raysRoom; // those that no region serves yet
-    std::vector<NeedSample> need;
+    NeedScratch need;
     std::vector<LeftOutPlane> leftOut;
 };
 
