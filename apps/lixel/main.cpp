@@ -61,8 +61,12 @@ int run(int argc, char** argv)
                  "lixel"};
     app.set_version_flag("--version", "lixel " LIXEL_VERSION);
     app.require_subcommand(1);
-    const std::vector<Command> commands{addRender(app), addCompare(app, commandLine), addReproduce(app, commandLine),
-                                        addTechniques(app), addScenes(app)};
+    const std::vector<Command> commands{addRender(app),
+                                        addCompare(app, commandLine),
+                                        addReproduce(app, commandLine),
+                                        addStudy(app, commandLine),
+                                        addTechniques(app),
+                                        addScenes(app)};
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) { // --help, --version

@@ -208,7 +208,9 @@ FitResult fitPlaneOptimal(const FitInput& input, const PlaneOptimalFit& fit)
 
     const double far = farthestDepth(*body);
     if (!input.wantsWholePixels) {
-        out.lightClipFromLocal = fitRectangle(body->frame, twisted(*body, input), far, input).lightClipFromLocal;
+        const OrientedRectangle rectangle = twisted(*body, input);
+        out.lightClipFromLocal = fitRectangle(body->frame, rectangle, far, input).lightClipFromLocal;
+        out.rounding = floatRounding(*body, rectangle);
         return out;
     }
     const auto around = wholePixelsAround(*body, kMostPixels);
@@ -218,6 +220,7 @@ FitResult fitPlaneOptimal(const FitInput& input, const PlaneOptimalFit& fit)
     const OrientedRectangle whole{
         {0.5 * (p.x0 + p.x1), 0.5 * (p.y0 + p.y1)}, {1, 0}, {0.5 * p.width(), 0.5 * p.height()}};
     out.lightClipFromLocal = fitRectangleAsItIs(body->frame, whole, far, input).lightClipFromLocal;
+    out.rounding = floatRounding(*body, whole);
     return out;
 }
 
