@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <new>
+#include <system_error>
 #include <unistd.h>
 #include <vector>
 
@@ -102,6 +103,8 @@ int main(int argc, char** argv)
         const std::string said = error.what();
         const bool namesTheOther = said.find("--executor trace") != said.npos;
         return fail(kNoGraphics, said + (namesTheOther ? "" : "; --executor trace needs no graphics"));
+    } catch (const std::system_error& error) { // from printing a page that is longer than the buffer
+        return fail(kFailed, fmt::format("standard output: cannot be written: {}", error.code().message()));
     } catch (const std::bad_alloc&) {
         return fail(kFailed, "out of memory; a smaller --size or --lixels needs less");
     } catch (const std::exception& error) {
