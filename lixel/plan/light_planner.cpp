@@ -108,8 +108,8 @@ LightPlanner::LightPlanner(const PlanInput& input, std::size_t number, const Box
     const Light& light = input.lights[number];
     gatherSeen(input, light, scratch);
     seenLocal_ = scratch.seenLocal;
-    gatherNeedSamples({input.observed, number, scratch.seenLocal, scratch.seenNormal}, light, input.originWorld,
-                      scratch.need);
+    gatherNeedSamples({input.observed, number, scratch.seenLocal, scratch.seenNormal, &input.view}, light,
+                      input.originWorld, scratch.need);
 }
 
 std::optional<FitFailure> LightPlanner::choose(ShadowPlan& out)
@@ -146,7 +146,8 @@ std::optional<FitFailure> LightPlanner::addElseTo(std::optional<FitFailure> refu
     const std::size_t before = candidates_.size();
     std::optional<FitFailure> refusedToo = addAll(otherwise->partition, otherwise->fit);
     const bool isWhole = std::holds_alternative<WholePartition>(otherwise->partition);
-    if (refusedToo == FitFailure::ExtentNotInHemisphere && isWhole) refusedToo = addAll(CubePartition{}, otherwise->fit);
+    if (refusedToo == FitFailure::ExtentNotInHemisphere && isWhole)
+        refusedToo = addAll(CubePartition{}, otherwise->fit);
     // Regions that were there serve what they can, but an else(...) promises the rest.
     if (refusedToo == FitFailure::NothingInView && before > 0) refusedToo.reset();
     return refusedToo;

@@ -38,6 +38,7 @@ private:
     std::optional<FitFailure> tryPlanes(const InterestPlanes& planes, Twist twist, std::vector<LeftOutPlane>& leftOut);
     void lookForPlanes(std::vector<FoundPlane>& found);
     InterestPlanes planesThatPay(std::span<const FoundPlane> found, Twist twist);
+    bool hadRegion(const FoundPlane& plane) const;
     double predictedError();
     std::optional<FitFailure> addElseTo(std::optional<FitFailure> refused);
     std::optional<FitFailure> addAll(const Partition& partition, const FitChoice& fit);
@@ -55,10 +56,10 @@ private:
     FitInput fitInput_;
     NeedPredictor predictor_;
     Candidates candidates_;
-    std::size_t number_;                                 // the light's
-    std::optional<std::span<const Vec3d>> triedLocal_;   // what stands for the view samples while plans are only tried
-    std::span<const Vec3d> seenLocal_; // view samples that face the light and are still to be served
-    bool isCropping_ = false;          // what is added now serves scratch.rays only
+    std::size_t number_;                               // the light's
+    std::optional<std::span<const Vec3d>> triedLocal_; // what stands for the view samples while plans are only tried
+    std::span<const Vec3d> seenLocal_;                 // view samples that face the light and are still to be served
+    bool isCropping_ = false;                          // what is added now serves scratch.rays only
 };
 
 } // namespace lixel

@@ -9,8 +9,8 @@
 #include "lixel/plan/allocate.h"
 #include "lixel/plan/fit/fit.h"
 #include "lixel/plan/light_image.h"
-#include "lixel/plan/partition/find_planes.h"
 #include "lixel/plan/lookup/lookup.h"
+#include "lixel/plan/partition/find_planes.h"
 #include "lixel/plan/technique.h"
 #include "lixel/shared/shadow_tables.h"
 
@@ -35,6 +35,12 @@ struct GivenLight
     std::vector<GivenRegion> regions;
 };
 
+struct RememberedPlane
+{
+    Plane planeLocal;
+    bool hadRegion = false;
+};
+
 struct PlanInput
 {
     View view;
@@ -56,7 +62,9 @@ struct PlanInput
     const Observation* observed = nullptr;
     // Spent of each light's lixels before this plan, on the first pass that observed.
     std::int64_t lixelsSpent = 0;
-    std::span<const Plane> planesBeforeLocal = {}; // that planes(auto) found for the last frame: they keep their very places
+    // What planes(auto) found for the last frame, an entry a light (rememberedPlanes): planes keep their very places, and those that
+    // had maps keep them as long as they do not cost.
+    std::span<const std::vector<RememberedPlane>> planesBefore = {};
 };
 
 // One map: a region's projection and its place.
@@ -77,7 +85,7 @@ struct ShadowPlan
     std::optional<FitFailure> refused;
 
     std::vector<FoundPlane> foundPlanes; // by planes(auto), heaviest first; those with regions are the ones that pay
-    std::vector<LeftOutPlane> leftOut; // an else(...) serves what is seen of them; `plane` as in PlannedRegion
+    std::vector<LeftOutPlane> leftOut;   // an else(...) serves what is seen of them; `plane` as in PlannedRegion
 };
 
 // Layout (known before the frame is drawn) and tables (what shaders read).
@@ -96,6 +104,9 @@ struct FramePlan
 
     std::int64_t lixelsOf(std::size_t light) const; // every lixel allocated for it
 };
+
+// For the plan of the next frame, whose origin must be the same.
+std::vector<std::vector<RememberedPlane>> rememberedPlanes(const FramePlan& plan);
 
 // What a technique wants drawn and observed before its plan, where no earlier frame tells where shadows end.
 struct FirstPass
