@@ -34,11 +34,10 @@ public:
     }
 
     // Slower than tiles, and in double from the ray on.
-    void traceExactly(int x, int y, Image<float>& layer) const
+    float exactDepth(int x, int y) const
     {
-        layer(x, y) = 0;
         const std::optional<LightRay> lightRay = image_.rayThrough({x + 0.5, y + 0.5});
-        if (!lightRay) return;
+        if (!lightRay) return 0;
         const Interval inScene = beforeLight(*lightRay);
         Nearest nearest{scene_, {lightRay->originLocal, lightRay->directionLocal, inScene.first, {}}, inScene.last};
         const auto meets = [](void* query, std::uint32_t triangle) {
@@ -46,7 +45,7 @@ public:
         };
         scene_.embree().offerUpToNearest(searchRay(nearest.ray.origin, nearest.ray.direction, inScene), meets,
                                          &nearest);
-        if (nearest.isMet) layer(x, y) = depthAt(nearest.ray.origin + nearest.t * nearest.ray.direction);
+        return nearest.isMet ? depthAt(nearest.ray.origin + nearest.t * nearest.ray.direction) : 0;
     }
 
     void traceTile(int x0, int y0, Image<float>& layer) const
@@ -136,7 +135,7 @@ void traceLightMap(const TraceScene& scene, const PlannedRegion& region, Image<f
     if (region.pixels) {
         forEachBlock(std::size_t(r.height()), 4, [&](std::size_t first, std::size_t last) {
             for (std::size_t row = first; row < last; ++row)
-                for (int x = r.x0; x < r.x1; ++x) tracer.traceExactly(x, r.y0 + int(row), layer);
+                for (int x = r.x0; x < r.x1; ++x) layer(x, r.y0 + int(row)) = tracer.exactDepth(x, r.y0 + int(row));
         });
         return;
     }
@@ -145,6 +144,11 @@ void traceLightMap(const TraceScene& scene, const PlannedRegion& region, Image<f
         for (std::size_t row = first; row < last; ++row)
             for (int x = r.x0; x < r.x1; x += kTile) tracer.traceTile(x, r.y0 + int(row) * kTile, layer);
     });
+}
+
+float tracedDepth(const TraceScene& scene, const PlannedRegion& region, int x, int y)
+{
+    return RegionTracer(scene, region).exactDepth(x, y);
 }
 
 } // namespace lixel

@@ -18,4 +18,7 @@ namespace lixel {
 // exact visibility: rays of floats stray at edges by up to a thousandth of a pixel. What lies before the near side counts as drawn at it (depth 1), as with depth clamping.
 void traceLightMap(const TraceScene& scene, const PlannedRegion& region, Image<float>& layer);
 
+// The same of one lixel alone, decided in double.
+float tracedDepth(const TraceScene& scene, const PlannedRegion& region, int x, int y);
+
 } // namespace lixel
