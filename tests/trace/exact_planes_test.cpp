@@ -138,6 +138,8 @@ TEST(ExactPlanes, AProbeALixelAsideSaysWhatTheNextPixelDoes)
                 if (!isOn(room.planes[0], samples, i) || !isOn(room.planes[0], samples, i + 1)) continue;
                 if (samples.pixel[i + 1].x != samples.pixel[i].x + 1) continue;
                 if (samples.triangle[i + 1] != samples.triangle[i]) continue; // rays start on their own triangle
+                const Vec3d p = toDouble(samples.positionLocal[i]), n = toDouble(samples.normal[i]);
+                if (!isLightFacing(room.light, room.originWorld, p, n)) continue;
                 const PlaneProbe probe = probeOnPlane(room.scene, plan, 0, r, room.light, samples, i, 1);
                 ASSERT_EQ(probe.exactBeside.size(), 4u);
                 EXPECT_EQ(probe.exactBeside[0], exact[i + 1]); // a lixel to the right is a pixel to the right
