@@ -32,6 +32,7 @@ private:
         CellPlanes halfSpacesLocal; // asked of receivers
         int plane = -1;
         Need need;
+        std::optional<Plane> pixelPlaneLocal; // of a map with a lixel a pixel
     };
     using Candidates = FixedVector<Candidate, 2 * kMostCells>;
 
@@ -47,6 +48,8 @@ private:
     bool keepUnserved();
     void findNeeds();
     void findUnservedRays();
+    Plane turnedToLight(const Plane& plane) const;
+    bool holdsAllSeen(const Plane& plane) const;
     bool takeAwayServed(const RaySpace& space);
     std::optional<Fit> cropped(const Fit& fit, const Cell& cell);
     bool sizeAll(const LookupLayout& lookup, std::span<LixelSize> sizes) const;

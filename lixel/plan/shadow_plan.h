@@ -76,6 +76,7 @@ struct PlannedRegion
     int plane = -1;                  // of a plane's region: which of PlanInput::planes, or of planes(auto) those found
     bool isInDouble = false;         // floats of the matrix would move its lixels visibly
     std::optional<PixelRectangle> pixels = {}; // of a map with a lixel a pixel: those, its guard band not among them
+    std::optional<Plane> pixelPlaneLocal = {}; // of such a map: the plane, its unit normal towards the light
 };
 
 // What was decided for one light.
