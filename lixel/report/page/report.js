@@ -40,5 +40,6 @@ function showRefused() {
 showHead();
 showSummary();
 startPictures();
+showReproduction();
 showRows();
 showRefused();
