@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What deciding costs: planShadows for one light, by technique, kind of light and number of caster boxes. Techniques made from
 // view samples are timed apart, by the number of samples.
+#include "lixel/plan/fit/plane_optimal.h"
 #include "lixel/plan/shadow_plan.h"
 
 #include <benchmark/benchmark.h>
@@ -81,6 +82,21 @@ void plan(benchmark::State& state, const std::string& technique, LightKind kind,
     if (plan.lights[0].refused) state.SkipWithError(std::string(nameOf(*plan.lights[0].refused)).c_str());
     state.counters["regions"] = double(plan.regionTable.size());
 }
+
+// The matrix of one plane alone, without what its map holds.
+void planeMatrix(benchmark::State& state, LightKind kind)
+{
+    const View view = viewOf(10);
+    const Light light = lightOf(kind, 10);
+    Plane plane{{0, 1, 0}, 0};
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(plane);
+        benchmark::DoNotOptimize(planeOptimalFrame(view, light, {}, plane, 30));
+    }
+}
+BENCHMARK_CAPTURE(planeMatrix, sun, LightKind::Directional);
+BENCHMARK_CAPTURE(planeMatrix, spot, LightKind::Spot);
+BENCHMARK_CAPTURE(planeMatrix, point, LightKind::Point);
 
 const bool registered = [] {
     const struct

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <new>
+#include <system_error>
 #include <unistd.h>
 #include <vector>
 
@@ -61,8 +62,12 @@ int run(int argc, char** argv)
                  "lixel"};
     app.set_version_flag("--version", "lixel " LIXEL_VERSION);
     app.require_subcommand(1);
-    const std::vector<Command> commands{addRender(app), addCompare(app, commandLine), addReproduce(app, commandLine),
-                                        addTechniques(app), addScenes(app)};
+    const std::vector<Command> commands{addRender(app),
+                                        addCompare(app, commandLine),
+                                        addReproduce(app, commandLine),
+                                        addStudy(app, commandLine),
+                                        addTechniques(app),
+                                        addScenes(app)};
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) { // --help, --version
@@ -98,6 +103,8 @@ int main(int argc, char** argv)
         const std::string said = error.what();
         const bool namesTheOther = said.find("--executor trace") != said.npos;
         return fail(kNoGraphics, said + (namesTheOther ? "" : "; --executor trace needs no graphics"));
+    } catch (const std::system_error& error) { // from printing a page that is longer than the buffer
+        return fail(kFailed, fmt::format("standard output: cannot be written: {}", error.code().message()));
     } catch (const std::bad_alloc&) {
         return fail(kFailed, "out of memory; a smaller --size or --lixels needs less");
     } catch (const std::exception& error) {

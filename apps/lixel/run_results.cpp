@@ -7,14 +7,17 @@
 
 namespace lixel::app {
 
+RunTiming timingNow(double totalSeconds, const std::string& host)
+{
+    return {fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))), host, totalSeconds};
+}
+
 void finishResults(RunResults& results, const std::string& commandLine, double totalSeconds, const std::string& host)
 {
     sortByKey(results.rows);
     results.lixelVersion = LIXEL_VERSION;
     results.command = commandLine;
-    results.timing.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-    results.timing.host = host;
-    results.timing.totalSeconds = totalSeconds;
+    results.timing = timingNow(totalSeconds, host);
 }
 
 } // namespace lixel::app

@@ -20,6 +20,9 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+// When and where a run was, now that it ends.
+RunTiming timingNow(double totalSeconds, const std::string& host);
+
 // Sorts the rows and fills in what made them. `commandLine` repeats the run.
 void finishResults(RunResults& results, const std::string& commandLine, double totalSeconds, const std::string& host);
 

@@ -5,6 +5,7 @@
 #include "lixel/gl/device/device.h"
 #include "lixel/gl/device/pass_timer.h"
 #include "lixel/gl/passes/drawn_maps.h"
+#include "lixel/gl/passes/drawn_positions.h"
 #include "lixel/gl/passes/gather_pass.h"
 #include "lixel/gl/passes/light_depth_pass.h"
 #include "lixel/gl/passes/lookup_pass.h"
@@ -63,6 +64,7 @@ struct GlExecutor::State
     gl::ShadowAtlas atlas;
     gl::DrawnMaps inAtlas;
     std::uint64_t mapsDrawn = 0;
+    std::optional<gl::DrawnPositions> positions; // once asked for
     gl::ViewTargets targets;
     gl::PointList pixels{device};  // one entry a pixel, of the view drawn last
     gl::PointList samples{device}; // a caller's
@@ -212,6 +214,18 @@ std::vector<Image<float>> GlExecutor::drawMaps(const FramePlan& plan, const Cast
     std::vector<Image<float>> maps = state_->atlas.download(plan.layers);
     state_->device.throwOnMessages("the shadow maps");
     return maps;
+}
+
+std::vector<Image<Vec4f>> GlExecutor::drawPositions(const FramePlan& plan, const CasterBuffers& casters)
+{
+    state_->device.makeCurrent();
+    if (!state_->positions) state_->positions.emplace(state_->device);
+    state_->tables.upload(plan);
+    state_->casting.update(casters);
+    state_->positions->run(state_->device, plan, state_->tables, state_->casting);
+    std::vector<Image<Vec4f>> positions = state_->positions->download(plan.layers);
+    state_->device.throwOnMessages("positions in shadow maps");
+    return positions;
 }
 
 std::uint32_t GlExecutor::drawAtlas(const FramePlan& plan, const CasterSource& casters)

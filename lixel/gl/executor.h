@@ -72,6 +72,10 @@ public:
     // The maps of a plan, one image a layer: 1 near, 0 far and empty.
     std::vector<Image<float>> drawMaps(const FramePlan& plan, const CasterSource& casters);
 
+    // What the lixels of such maps really sample: the Local position of the surface drawn in each, as the device interpolates it,
+    // with w = 1; w = 0 where nothing is. For measuring; the casters have no holes.
+    std::vector<Image<Vec4f>> drawPositions(const FramePlan& plan, const CasterBuffers& casters);
+
     // The same maps left on the device, for a host that looks them up with its own shaders (lixel_lookup.glsl): the OpenGL name of
     // a 2D array texture of 32-bit float depth, 1 near, 0 far and empty, row 0 at the bottom. It stays the executor's, and is
     // good until the next call.

@@ -390,7 +390,9 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
     for (std::size_t i = 0; i < candidates_.size(); ++i)
         regions.push_back({place(candidates_[i].fit, pieces[i], lookup, input_.originWorld,
                                  areTurned ? std::optional(turned[i]) : std::nullopt),
-                           pieces[i], candidates_[i].halfSpacesLocal, candidates_[i].plane, candidates_[i].fit.pixels});
+                           pieces[i], candidates_[i].halfSpacesLocal, candidates_[i].plane,
+                           needsDouble(candidates_[i].fit, pieces[i].width(), pieces[i].height()),
+                           candidates_[i].fit.pixels});
     return true;
 }
 

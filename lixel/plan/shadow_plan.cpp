@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/shadow_plan.h"
 
-#include "lixel/plan/clip_convention.h"
 #include "lixel/plan/light_planner.h"
+#include "lixel/plan/region_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +12,6 @@ namespace {
 
 // A first pass has one lixel in so many: shadows need only be found, not drawn.
 constexpr double kFirstPassOfAll = 16;
-
-shared::ShadowRegion tableRow(const PlannedRegion& region)
-{
-    const LixelRectangle& r = region.rectangle;
-    shared::ShadowRegion row;
-    row.lightClipFromLocal = toShared(toHost(region.lightClipFromLocal, kExecutorConvention));
-    row.lixelFromNdc = {0.5f * float(r.width()), 0.5f * float(r.height()), float(r.x0) + 0.5f * float(r.width()),
-                        float(r.y0) + 0.5f * float(r.height())};
-    row.rectangle = {float(r.x0), float(r.y0), float(r.x1), float(r.y1)};
-    row.place = {float(r.layer), 0, 0, 0}; // half-spaces: appendTables
-    return row;
-}
 
 bool isGiven(const FitChoice& fit)
 {

@@ -64,6 +64,7 @@ struct PlannedRegion
     LixelRectangle rectangle;
     CellPlanes halfSpacesLocal = {}; // what it asks of receivers that regions before it do not serve
     int plane = -1;                  // of a plane's region: which of PlanInput::planes, or of planes(auto) those found
+    bool isInDouble = false;         // floats of the matrix would move its lixels visibly
     std::optional<PixelRectangle> pixels = {}; // of a map with a lixel a pixel: those, its guard band not among them
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The words of GLSL that the files of this folder use, so that C++ reads the very same text: vec2, vec3, vec4, mat4, float
-// arithmetic and a few functions. GLSL includes this file too and finds it empty but for the macros.
+// (and double) arithmetic and a few functions. GLSL includes this file too and finds it empty but for the macros.
 //
 // Rules of the common subset: literals are floats with an f (0.5f), every value is named and constructed as vec3(x, y, z),
 // components are .x .y .z .w one at a time, functions begin with LX_FN, and arguments are passed by value.

@@ -5,7 +5,7 @@
 // callable of the same form as the template argument Map.
 #ifndef LIXEL_SHARED_LOOKUP_H
 #define LIXEL_SHARED_LOOKUP_H
-#include "lixel/shared/shadow_tables.h"
+#include "lixel/shared/light_clip.h"
 
 LX_SHARED_BEGIN
 
@@ -44,7 +44,7 @@ LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
 {
     LxReceiver r;
     mat4 m = region.lightClipFromLocal;
-    vec4 clip = m * vec4(positionLocal, 1.0f);
+    vec4 clip = lxLightClip(region, positionLocal);
     float perW = 1.0f / clip.w;
     vec3 ndc = vec3(clip.x * perW, clip.y * perW, clip.z * perW);
     r.lixel = vec2(ndc.x * region.lixelFromNdc.x + region.lixelFromNdc.z,

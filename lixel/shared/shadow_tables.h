@@ -11,9 +11,12 @@ struct ShadowRegion
 {
     mat4
         lightClipFromLocal; // NDC x, y in [-1, +1]; depth reversed, 1 at the near side, 0 at the far; inside where w > 0
+    mat4 lightClipLow;      // what rounding to float took from it: the sum has the digits of a double
     vec4 lixelFromNdc;      // lixel = xy * ndc + zw: continuous, counted in its layer of the atlas, centres at + 1/2
     vec4 rectangle;         // first lixel x, y and end x, y (not included) that the region owns in its layer
-    vec4 place;             // x: layer; y, z: first and count of its half-spaces; w: reserved, 0
+    vec4
+        place; // x: layer; y, z: first and count of its half-spaces; w: 1 where points are to be taken through the matrix in double
+    // (lxLightClip in light_clip.h), else 0
 };
 
 // One light: which regions serve it, in their order.

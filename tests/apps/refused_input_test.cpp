@@ -77,7 +77,7 @@ void expectMention(const std::string& line, const std::string& word)
 
 TEST_F(RefusedInput, CommandsAndOptionsMustBeKnown)
 {
-    expectMention(refusal({}, kBadUsage), "render, compare, reproduce, techniques, scenes");
+    expectMention(refusal({}, kBadUsage), "render, compare, reproduce, study, techniques, scenes");
     expectMention(refusal({"paint"}, kBadUsage), "\"paint\": no such command");
     expectMention(refusal({"--paint"}, kBadUsage), "lixel --help");
     expectMention(refusal({"render"}, kBadUsage), "SCENE");
@@ -91,6 +91,8 @@ TEST_F(RefusedInput, CommandsAndOptionsMustBeKnown)
     expectMention(refusal({"techniques", "all"}, kBadUsage), "all");
     expectMention(refusal({"scenes", "atlantis"}, kBadUsage), "atlantis");
     expectMention(refusal({"reproduce", "nothing"}, kBadUsage), "normal-against-focused");
+    expectMention(refusal({"study", "nothing"}, kBadUsage), "one-to-one");
+    expectMention(refusal({"study", "one-to-one", "--count", "0"}, kBadUsage), "--count");
     expectMention(refusal({"reproduce", "normal-against-focused", "--seed", "-1"}, kBadUsage), "whole number");
 }
 

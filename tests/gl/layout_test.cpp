@@ -68,10 +68,11 @@ constexpr const char* kUniform = "layout(std140, binding = 0) uniform";
 
 TEST_F(LayoutTest, ShadowTablesLieAsInCpp)
 {
-    const ProgramName region =
-        programWith("lixel/shared/shadow_tables.h", "ShadowRegion", kStorage,
-                    "row.lightClipFromLocal[0].x + row.lixelFromNdc.x + row.rectangle.x + row.place.x");
+    const ProgramName region = programWith(
+        "lixel/shared/shadow_tables.h", "ShadowRegion", kStorage,
+        "row.lightClipFromLocal[0].x + row.lightClipLow[0].x + row.lixelFromNdc.x + row.rectangle.x + row.place.x");
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, lightClipFromLocal);
+    LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, lightClipLow);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, lixelFromNdc);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, rectangle);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, place);

@@ -15,10 +15,12 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-std::string lixel::test::schemaError(const std::string& text)
+std::string lixel::test::schemaError(const std::string& text) { return schemaError(text, "results.schema.json"); }
+
+std::string lixel::test::schemaError(const std::string& text, const std::string& schemaFile)
 {
     using Adapter = valijson::adapters::NlohmannJsonAdapter;
-    const auto schemaJson = nlohmann::json::parse(readWhole(LIXEL_SOURCE_DIR "/docs/results.schema.json"));
+    const auto schemaJson = nlohmann::json::parse(readWhole(LIXEL_SOURCE_DIR "/docs/" + schemaFile));
     valijson::Schema schema;
     valijson::SchemaParser().populateSchema(Adapter(schemaJson), schema);
 

@@ -40,10 +40,15 @@ std::vector<Plane> casterVolume(const Mat4d& lightClipFromLocal)
     return planes;
 }
 
-LightDepthPass::LightDepthPass(const Device& device) : mostViewports_(std::min(device.limits().viewports, 32))
+LightDepthPass::LightDepthPass(const Device& device, Output output)
+    : mostViewports_(std::min(device.limits().viewports, 32))
 {
+    const std::array<std::string, 1> masked{"MASKED"}, position{"POSITION"};
+    if (output == Output::DepthAndPosition) {
+        opaque_ = Program::graphics({"caster.vert.glsl", "opaque.frag.glsl"}, position);
+        return;
+    }
     opaque_ = Program::graphics({"caster.vert.glsl", "opaque.frag.glsl"});
-    const std::array<std::string, 1> masked{"MASKED"};
     masked_ = Program::graphics({"caster.vert.glsl", "caster.frag.glsl"}, masked);
 }
 
@@ -102,6 +107,7 @@ void LightDepthPass::drawSurfaces(const FramePlan& plan, const Surfaces& casters
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_.name());
     for (const CasterDraws::Group& group : draws_.groups()) {
         const bool isMasked = group.maskedRange >= 0;
+        LX_ASSERT(!isMasked || masked_.name());
         (isMasked ? masked_ : opaque_).use();
         if (isMasked) {
             const Surfaces::Wraps wraps = casters.bindTexture(casters.ranges()[std::size_t(group.maskedRange)]);

@@ -18,7 +18,10 @@ public:
     // By the plan's own matrices, or not at all: then everything is drawn into every region, which gives the same maps, and is
     // what there is where the device alone knows the tables.
     enum class Culling { ByRegion, Off };
-    explicit LightDepthPass(const Device& device);
+    // What is drawn: depth; or, to see what lixels really sample, also the Local position of the surface, into colour 0 of the atlas's
+    // framebuffer, w = 1. Holes and a host's casters are then not served.
+    enum class Output { Depth, DepthAndPosition };
+    explicit LightDepthPass(const Device& device, Output output = Output::Depth);
 
     void run(const FramePlan& plan, const PlanTables& tables, const Surfaces& casters, const ShadowAtlas& atlas,
              Culling culling = Culling::ByRegion);

@@ -19,7 +19,8 @@ public:
              VisibilityList& visibility) const;
 
 private:
-    Program program_;
+    Program program_,
+        inDouble_; // the second for plans with regions in double: some drivers run both sides of every branch
 };
 
 } // namespace lixel::gl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Casters from buffers.   MASKED   the surface has holes
+// Casters from buffers.   MASKED   the surface has holes   POSITION   where each lixel's surface is, is drawn too
 #include "lixel/gl/shaders/lixel_caster.glsl"
 
 layout(location = kAttributePosition) in vec3 inPositionLocal;
@@ -11,8 +11,15 @@ layout(location = 1) out float vertexAlpha;
 layout(location = 2) flat out uint firstTriangle;
 #endif
 
+#ifdef POSITION
+layout(location = 3) out vec3 surfaceLocal;
+#endif
+
 void main()
 {
+#ifdef POSITION
+    surfaceLocal = inPositionLocal;
+#endif
 #ifdef MASKED
     vertexAlpha = inColour.a;
     firstTriangle = inInstance.y;

@@ -8,7 +8,7 @@
 // output location 0, shader storage binding kStorageRegions, uniform binding kUniformBatch (lixel/shared/gl_slots.h).
 #extension GL_ARB_shader_viewport_layer_array : require
 #include "lixel/shared/gl_slots.h"
-#include "lixel/shared/shadow_tables.h"
+#include "lixel/shared/light_clip.h"
 
 layout(std430, binding = kStorageRegions) readonly buffer LixelRegions { ShadowRegion lixelRegions[]; };
 layout(std140, binding = kUniformBatch) uniform LixelBatch { vec4 lixelBatch; }; // x: the region that has viewport 0
@@ -23,7 +23,7 @@ void lixelCasterInto(int view, vec3 positionLocal, vec2 uv)
     lixelUv = uv;
     gl_ViewportIndex = view - int(lixelBatch.x);
     gl_Layer = int(lixelRegions[view].place.x);
-    gl_Position = lixelRegions[view].lightClipFromLocal * vec4(positionLocal, 1.0);
+    gl_Position = lxLightClip(lixelRegions[view], positionLocal);
 }
 
 void lixelCaster(vec3 positionLocal, vec2 uv) { lixelCasterInto(lixelFirstView + gl_InstanceID, positionLocal, uv); }

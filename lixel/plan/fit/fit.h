@@ -7,6 +7,7 @@
 #include "lixel/base/rectangle.h"
 #include "lixel/base/view.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -132,7 +133,16 @@ struct Fit
         {}; // receivers outside are too near to the light for this map: the next region's
 
     std::optional<PixelRectangle> pixels = {}; // the NDC square is this part of the picture, at a lixel a pixel
+
+    // Of half its size: what floats of the matrix may move a receiver by, for fits that do not see to it themselves.
+    double rounding = 0;
 };
+
+// Whether floats of the matrix would move lixels by more than 1/256 of one, a rasterizer's own step, in a map of this size.
+inline bool needsDouble(const Fit& fit, int width, int height)
+{
+    return fit.rounding * 0.5 * std::max(width, height) > 1.0 / 256;
+}
 
 using FitResult = Expected<Fit, FitFailure>;
 

@@ -373,6 +373,28 @@ OrientedRectangle rectangleAround(const FramedBody& body, Vec2d axis, FitScratch
     return resolved(rectangleAlong(cornersOnPlane(body, scratch), axis), body);
 }
 
+double floatRounding(const FramedBody& body, const OrientedRectangle& rectangle)
+{
+    constexpr double kOfTerms = 0x1p-23; // the matrix's own half, and as much for products and sums
+    const Vec4d x = body.frame.framedFromLocal.row(0), y = body.frame.framedFromLocal.row(1),
+                w = body.frame.framedFromLocal.row(3);
+    const auto along = [&](Vec2d axis, double half) {
+        return (1 / half) * (axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w);
+    };
+    const Vec4d u = along(rectangle.axis, rectangle.halfSize.x),
+                v = along({-rectangle.axis.y, rectangle.axis.x}, rectangle.halfSize.y);
+    double most = 0;
+    for (const Vec3d& p : body.points) {
+        const auto terms = [&p](Vec4d r) {
+            return std::abs(r.x * p.x) + std::abs(r.y * p.y) + std::abs(r.z * p.z) + std::abs(r.w);
+        };
+        const double perW = 1 / dot(w, point(p));
+        // Inside, u / w and v / w are between -1 and +1.
+        most = std::max(most, perW * (std::max(terms(u), terms(v)) + terms(w)));
+    }
+    return kOfTerms * most;
+}
+
 double farthestDepth(const FramedBody& body)
 {
     const Vec4d depth = body.frame.framedFromLocal.row(2);

@@ -85,6 +85,9 @@ OrientedRectangle rectangleAround(const FramedBody& body, RectangleKind kind, Fi
 // The same with one side along a unit vector of the light plane.
 OrientedRectangle rectangleAround(const FramedBody& body, Vec2d axis, FitScratch& scratch);
 
+// How far, of half the rectangle's size, floats of a fit's matrix may move the body's points in the map.
+double floatRounding(const FramedBody& body, const OrientedRectangle& rectangle);
+
 double farthestDepth(const FramedBody& body);
 
 // The tightest fit that holds the body: its rectangle on the light plane, from the nearest caster before it to the farthest

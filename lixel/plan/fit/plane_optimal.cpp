@@ -17,7 +17,8 @@ constexpr double kLeastSine = 1e-7;
 // Receivers nearer to the light than this part of the farthest are too near for one map's depths (see fitRectangle).
 constexpr double kLeastNearPerFar = 1e-4;
 
-// Pixels within this of a body's border count as touched by it, for rounding.
+// A body that goes less than this into a pixel only touches it, but for rounding: what fills the picture has no pixel more. No
+// pixel's centre is lost.
 constexpr double kTouch = 1e-6;
 
 constexpr int kMostPixels = 32768;
@@ -52,33 +53,35 @@ std::array<Plane, 4> pictureSides(const LightFrame& frame, const View& view)
     return {plane(x), plane(double(view.width) * w - x), plane(y), plane(double(view.height) * w - y)};
 }
 
-// The direction on the picture of the image of a plane through the light; nothing where it is not across the picture.
-std::optional<Vec2d> directionOnPicture(const LightFrame& frame, const Plane& throughLight, const View& view)
+// The direction on the picture of the line where two planes meet; nothing where no part of it before the viewer is in the picture.
+std::optional<Vec2d> directionOnPicture(const LightFrame& frame, const Plane& plane, const Plane& other,
+                                        const View& view)
 {
-    // Its row is a combination a x + b y + c w of the frame's, by least squares on four numbers; its image runs at right angles to (a, b).
-    const std::array<Vec4d, 3> rows{frame.framedFromLocal.row(0), frame.framedFromLocal.row(1),
-                                    frame.framedFromLocal.row(3)};
-    const Vec4d cut = asRow(throughLight);
-    std::array<double, 3> size;
-    for (std::size_t i = 0; i < 3; ++i) size[i] = std::sqrt(dot(rows[i], rows[i]));
-    if (!(size[0] > 0 && size[1] > 0 && size[2] > 0)) return std::nullopt;
-    const auto products = [&](std::size_t i) {
-        return Vec3d{dot(rows[i], rows[0]) / size[0], dot(rows[i], rows[1]) / size[1],
-                     dot(rows[i], rows[2]) / size[2]} /
-               size[i];
+    // Points of the line: start + t * along. They are points of the plane, so that their image is the viewer's.
+    const Vec3d along = cross(plane.normal, other.normal);
+    const double sine2 = dot(along, along);
+    if (!(sine2 > kLeastSine * kLeastSine)) return std::nullopt;
+    const Vec3d start = (1 / sine2) * cross(along, plane.offset * other.normal - other.offset * plane.normal);
+    const auto image = [&](Vec4d p) {
+        const Mat4d& m = frame.framedFromLocal;
+        return Vec3d{dot(m.row(0), p), dot(m.row(1), p), dot(m.row(3), p)};
     };
-    const Vec3d first = products(0), second = products(1), third = products(2); // normal equations, scaled by rows
-    const Vec3d right{dot(rows[0], cut) / size[0], dot(rows[1], cut) / size[1], dot(rows[2], cut) / size[2]};
-    const double determinant = dot(first, cross(second, third));
-    if (!(std::abs(determinant) > 1e-20)) return std::nullopt;
-    const Vec3d scaled{dot(right, cross(second, third)) / determinant, dot(right, cross(third, first)) / determinant,
-                       dot(right, cross(first, second)) / determinant};
-    const double a = scaled.x / size[0], b = scaled.y / size[1], c = scaled.z / size[2];
-    // Across the picture: corners on both sides.
-    const double w = view.width, h = view.height;
-    const auto [low, high] = std::minmax({c, a * w + c, b * h + c, a * w + b * h + c});
-    if (!(low < 0 && high > 0)) return std::nullopt;
-    return (1 / length(Vec2d{a, b})) * Vec2d{-b, a};
+    const Vec3d a = image(point(start)), b = image(direction((1 / std::sqrt(sine2)) * along));
+
+    // Inside the picture: 0 <= x <= width w, 0 <= y <= height w, which holds for w >= 0 only.
+    double low = -std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec3d side :
+         {Vec3d{1, 0, 0}, Vec3d{-1, 0, double(view.width)}, Vec3d{0, 1, 0}, Vec3d{0, -1, double(view.height)}}) {
+        const double atStart = dot(side, a), slope = dot(side, b);
+        if (slope > 0) low = std::max(low, -atStart / slope);
+        else if (slope < 0) high = std::min(high, -atStart / slope);
+        else if (atStart < 0) return std::nullopt;
+    }
+    if (!(low < high)) return std::nullopt;
+    const Vec3d line = cross(a, b); // line.x x + line.y y + line.z w = 0
+    const double size = length(Vec2d{line.x, line.y});
+    if (!(size > 0)) return std::nullopt;
+    return (1 / size) * Vec2d{-line.y, line.x};
 }
 
 OrientedRectangle twisted(const FramedBody& body, const FitInput& input)
@@ -87,8 +90,15 @@ OrientedRectangle twisted(const FramedBody& body, const FitInput& input)
     if (plane.twist == Twist::Tight) return rectangleAround(body, RectangleKind::LeastArea, input.scratch);
     std::optional<Vec2d> along;
     if (plane.twist == Twist::Line && plane.throughLineLocal)
-        along = directionOnPicture(body.frame, *plane.throughLineLocal, input.view);
+        along = directionOnPicture(body.frame, plane.planeLocal, *plane.throughLineLocal, input.view);
     return rectangleAround(body, along.value_or(Vec2d{1, 0}), input.scratch);
+}
+
+// What rounding brought over the picture's borders goes.
+PixelRectangle withinPicture(const PixelRectangle& p, const View& view)
+{
+    const int x0 = std::clamp(p.x0, 0, view.width - 1), y0 = std::clamp(p.y0, 0, view.height - 1);
+    return {x0, y0, std::clamp(p.x1, x0 + 1, view.width), std::clamp(p.y1, y0 + 1, view.height)};
 }
 
 // What the map must hold: of the region what may be seen, or its view samples, within more planes of the light.
@@ -163,8 +173,9 @@ std::optional<PixelRectangle> wholePixelsAround(const FramedBody& body, int most
         y0 = std::min(y0, pixel.y), y1 = std::max(y1, pixel.y);
     }
     if (!(x1 - x0 < most && y1 - y0 < most && std::abs(x0) < 1e9 && std::abs(y0) < 1e9)) return std::nullopt;
-    return PixelRectangle{int(std::floor(x0 - kTouch)), int(std::floor(y0 - kTouch)), int(std::ceil(x1 + kTouch)),
-                          int(std::ceil(y1 + kTouch))};
+    const int firstX = int(std::floor(x0 + kTouch)), firstY = int(std::floor(y0 + kTouch));
+    return PixelRectangle{firstX, firstY, std::max(int(std::ceil(x1 - kTouch)), firstX + 1),
+                          std::max(int(std::ceil(y1 - kTouch)), firstY + 1)};
 }
 
 FitResult fitPlaneOptimal(const FitInput& input, const PlaneOptimalFit& fit)
@@ -197,15 +208,19 @@ FitResult fitPlaneOptimal(const FitInput& input, const PlaneOptimalFit& fit)
 
     const double far = farthestDepth(*body);
     if (!input.wantsWholePixels) {
-        out.lightClipFromLocal = fitRectangle(body->frame, twisted(*body, input), far, input).lightClipFromLocal;
+        const OrientedRectangle rectangle = twisted(*body, input);
+        out.lightClipFromLocal = fitRectangle(body->frame, rectangle, far, input).lightClipFromLocal;
+        out.rounding = floatRounding(*body, rectangle);
         return out;
     }
-    out.pixels = wholePixelsAround(*body, kMostPixels);
-    if (!out.pixels) return Unexpected{FitFailure::TooFewLixels};
+    const auto around = wholePixelsAround(*body, kMostPixels);
+    if (!around) return Unexpected{FitFailure::TooFewLixels};
+    out.pixels = withinPicture(*around, input.view);
     const PixelRectangle& p = *out.pixels;
     const OrientedRectangle whole{
         {0.5 * (p.x0 + p.x1), 0.5 * (p.y0 + p.y1)}, {1, 0}, {0.5 * p.width(), 0.5 * p.height()}};
     out.lightClipFromLocal = fitRectangleAsItIs(body->frame, whole, far, input).lightClipFromLocal;
+    out.rounding = floatRounding(*body, whole);
     return out;
 }
 

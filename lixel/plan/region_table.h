@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/plan/shadow_plan.h"
+
+namespace lixel {
+
+// A region as shaders read it. Its half-spaces are counted in the plan's one array and are the caller's.
+shared::ShadowRegion tableRow(const PlannedRegion& region);
+
+} // namespace lixel
