@@ -178,4 +178,6 @@ void writeReport(const fs::path& folder, const Reproduction& reproduction)
     writePage(folder, toJson(reproduction), reproduction.run.rows);
 }
 
+void writeReport(const fs::path& folder, const PlaneBudget& study) { writePage(folder, toJson(study), study.run.rows); }
+
 } // namespace lixel

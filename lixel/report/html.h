@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lixel/report/plane_budget.h"
 #include "lixel/report/reproduction.h"
 
 #include <filesystem>
@@ -14,5 +15,8 @@ void writeReport(const std::filesystem::path& folder, const RunResults& results)
 
 // The same with the paper's numbers beside ours, and its figures.
 void writeReport(const std::filesystem::path& folder, const Reproduction& reproduction);
+
+// The same with the curves.
+void writeReport(const std::filesystem::path& folder, const PlaneBudget& study);
 
 } // namespace lixel

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -18,26 +17,33 @@
 namespace lixel::app {
 namespace {
 
-constexpr const char* kView = "light-in-front"; // floor, wall and things, and room for a light before the camera
+constexpr const char* kView = "front"; // straight at the wall, over the floor with all that stands or bounces on it
 
-// The light goes round the scene at a distance; azimuth from +x towards +z, degrees. The camera looks along +x, and the wall is at -z.
+// The light moves straight from one place to another.
 struct Sweep
 {
     const char* name;
     const char* title;
-    double fromAzimuth, toAzimuth, fromElevation, toElevation;
+    Vec3d fromWorld, toWorld;
 };
-constexpr std::array<Sweep, 4> kSweeps{{{"high", "an ordinary view", 150, 90, 75, 45},
-                                        {kElongated, "elongated shadows", 60, 20, 20, 9},
-                                        {"side", "light from the side", 100, 50, 45, 30},
-                                        {kInFront, "light in front of the camera", 12, -6, 32, 14}}};
+constexpr std::size_t kSweeps = 4;
 
 struct Scenery
 {
     const char* scene;
-    double lightDistance; // from the world's origin
+    std::array<Sweep, kSweeps> sweeps;
 };
-constexpr std::array<Scenery, 2> kSceneries{{{"bunnies", 14}, {"objects", 20}}};
+constexpr std::array<Scenery, 2> kSceneries{
+    {{"bunnies",
+      {{{"high", "an ordinary view", {5, 11, 6}, {-3, 12, 4}},
+        {kElongated, "elongated shadows", {12, 5.5, 2}, {13, 3.4, 1}},
+        {"side", "light from the side", {-11, 8, 3}, {-12, 5.5, 5}},
+        {kInFront, "light in front of the camera", {-3, 7, -2.6}, {3, 4.8, -2.6}}}}},
+     {"objects",
+      {{{"high", "an ordinary view", {8, 16, 9}, {-5, 18, 6}},
+        {kElongated, "elongated shadows", {17, 7, 3}, {19, 4.5, 1.5}},
+        {"side", "light from the side", {-16, 12, 5}, {-18, 8, 8}},
+        {kInFront, "light in front of the camera", {-4, 6, -6.8}, {4, 3.2, -6.8}}}}}}};
 constexpr double kAnimationSeconds = 4; // bunnies then repeat
 
 struct Sizes
@@ -48,7 +54,7 @@ struct Sizes
     const char* lixelsOfPlanes;
 };
 constexpr Sizes kPaperSizes{60, "1024x1024", "512x512", "350x350,350x350,128x128"};
-constexpr Sizes kQuickSizes{8, "512x512", "256x256", "175x175,175x175,64x64"};
+constexpr Sizes kQuickSizes{8, "256x256", "128x128", "87x87,87x87,32x32"};
 
 constexpr double kEnlargedShare = 0.2; // of the picture's side
 constexpr int kTimingFrames = 3;
@@ -64,28 +70,25 @@ struct Moment
 
 std::vector<Moment> momentsOf(const Scenery& scenery, int frames)
 {
-    constexpr double kRadian = std::numbers::pi / 180;
-    const int ofSweep = frames / int(kSweeps.size());
+    const int ofSweep = frames / int(kSweeps);
     std::vector<Moment> out;
-    for (const Sweep& sweep : kSweeps)
+    for (const Sweep& sweep : scenery.sweeps)
         for (int i = 0; i < ofSweep; ++i) {
             const double s = double(i) / std::max(ofSweep - 1, 1);
-            const double azimuth = kRadian * std::lerp(sweep.fromAzimuth, sweep.toAzimuth, s);
-            const double elevation = kRadian * std::lerp(sweep.fromElevation, sweep.toElevation, s);
             Moment moment;
             moment.frame = int(out.size());
             moment.time = kAnimationSeconds * moment.frame / frames;
             moment.sweep = &sweep;
             moment.light.name = sweep.name;
             moment.light.kind = LightKind::Point;
-            moment.light.positionWorld =
-                scenery.lightDistance * Vec3d{std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
-                                              std::cos(elevation) * std::sin(azimuth)};
-            moment.isShown = i == ofSweep / 2;
+            moment.light.positionWorld = (1 - s) * sweep.fromWorld + s * sweep.toWorld;
+            moment.isShown = i == (ofSweep - 1) / 2;
             out.push_back(moment);
         }
     return out;
 }
+
+std::string text(Vec3d p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
 
 // Where the conventional map gets most of what is on planes of interest wrong: there the paper's figure is looked at.
 void enlargeWhereMostIsWrong(const Image<Rgba8>& errors, const ViewSamples& samples, const Truth& truth,
@@ -116,8 +119,8 @@ public:
     explicit Figure7(const ExperimentOptions& options)
         : options_(options),
           sizes_(options.isQuick ? kQuickSizes : kPaperSizes),
-          progress_("reproduce", int(kSceneries.size() * (sizes_.frames * kComparedMaps.size() +
-                                                          (options.pictures.empty() ? 0 : kSweeps.size()))))
+          progress_("reproduce", int(kSceneries.size() *
+                                     (sizes_.frames * kComparedMaps.size() + (options.pictures.empty() ? 0 : kSweeps))))
     {
         executors_.push_back(makeExecutor(options.executor));
         single_.techniques =
@@ -210,15 +213,12 @@ Reproduction Figure7::finished()
     for (const Scenery& scenery : kSceneries) {
         std::vector<ReproducedNumber> numbers = numbersOfScene(scenery.scene, out_.run.rows);
         out_.numbers.insert(out_.numbers.end(), numbers.begin(), numbers.end());
-        out_.parameters.push_back({fmt::format("light distance, {}", scenery.scene),
-                                   fmt::format("{} from the world's origin", scenery.lightDistance)});
+        for (const Sweep& sweep : scenery.sweeps)
+            out_.parameters.push_back({fmt::format("{}, light {}", scenery.scene, sweep.name),
+                                       fmt::format("from {} to {}", text(sweep.fromWorld), text(sweep.toWorld))});
     }
     out_.timingNumbers = timingNumbersOf(out_.run.rows);
     out_.run.timing.host = executors_.front()->host();
-    for (const Sweep& sweep : kSweeps)
-        out_.parameters.push_back({fmt::format("light {}", sweep.name),
-                                   fmt::format("azimuth {} to {}, elevation {} to {} degrees", sweep.fromAzimuth,
-                                               sweep.toAzimuth, sweep.fromElevation, sweep.toElevation)});
     out_.parameters.insert(out_.parameters.end(),
                            {{"view", kView},
                             {"frames", fmt::format("{} a scene, {} s of animation", sizes_.frames, kAnimationSeconds)},

@@ -41,5 +41,6 @@ showHead();
 showSummary();
 startPictures();
 showReproduction();
+showStudy();
 showRows();
 showRefused();
