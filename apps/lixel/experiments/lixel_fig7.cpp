@@ -36,12 +36,12 @@ struct Scenery
 constexpr std::array<Scenery, 2> kSceneries{
     {{"bunnies",
       {{{"high", "an ordinary view", {5, 11, 6}, {-3, 12, 4}},
-        {kElongated, "elongated shadows", {12, 5.5, 2}, {13, 3.4, 1}},
+        {kElongated, "elongated shadows", {6, 4.2, -2.5}, {4, 2.6, -2.7}},
         {"side", "light from the side", {-11, 8, 3}, {-12, 5.5, 5}},
         {kInFront, "light in front of the camera", {-3, 7, -2.6}, {3, 4.8, -2.6}}}}},
      {"objects",
       {{{"high", "an ordinary view", {8, 16, 9}, {-5, 18, 6}},
-        {kElongated, "elongated shadows", {17, 7, 3}, {19, 4.5, 1.5}},
+        {kElongated, "elongated shadows", {9, 5, -6.5}, {6, 3, -6.9}},
         {"side", "light from the side", {-16, 12, 5}, {-18, 8, 8}},
         {kInFront, "light in front of the camera", {-4, 6, -6.8}, {4, 3.2, -6.8}}}}}}};
 constexpr double kAnimationSeconds = 4; // bunnies then repeat
@@ -101,8 +101,8 @@ void enlargeWhereMostIsWrong(const Image<Rgba8>& errors, const ViewSamples& samp
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const int x = int(samples.pixel[i].x), y = errors.height() - 1 - int(samples.pixel[i].y); // from the top
         if (truth.plane[i] == kOnNoPlane || errors(x, errors.height() - 1 - y).a == 0) continue;
-        for (int row = std::max(0, (y - figure.side) / step + 1); row * step <= y; ++row)
-            for (int column = std::max(0, (x - figure.side) / step + 1); column * step <= x; ++column)
+        for (int row = y < figure.side ? 0 : (y - figure.side) / step + 1; row * step <= y; ++row)
+            for (int column = x < figure.side ? 0 : (x - figure.side) / step + 1; column * step <= x; ++column)
                 ++wrong(column, row);
     }
     int most = -1;
