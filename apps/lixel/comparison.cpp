@@ -121,9 +121,19 @@ private:
     std::string stem_;
 };
 
-std::string nameOfPlane(int plane, const ShotContext& context)
+// A found plane that is one of the scene's has its name; others have numbers.
+std::string nameOfPlane(int plane, const ShotContext& context, const FramePlan& plan, std::size_t light)
 {
-    return plane < 0 ? "" : context.shooting.planes[std::size_t(plane)].name;
+    if (plane < 0) return "";
+    const std::span<const NamedPlane> named = context.shooting.planes;
+    const std::vector<FoundPlane>& found = plan.lights[light].foundPlanes;
+    if (found.empty()) return named[std::size_t(plane)].name;
+    const Plane& p = found[std::size_t(plane)].planeLocal;
+    const double near = 1e-4 * length(context.shooting.sceneWorld.max - context.shooting.sceneWorld.min);
+    for (const NamedPlane& one : named)
+        if (dot(one.normalWorld, p.normal) > 1 - 1e-6 && std::abs(p.signedDistance(one.pointWorld - plan.originWorld)) < near)
+            return one.name;
+    return fmt::format("plane {}", plane + 1);
 }
 
 // What the map of a light costs, and how its lixels lie on the picture.
@@ -133,9 +143,9 @@ void addMap(const ShotContext& context, const FramePlan& plan, std::size_t light
     m.lixelsUsed = plan.lixelsOf(light);
     m.bytes = m.lixelsUsed * plan.lookup.bytesPerLixel;
     for (const PlannedRegion& region : plan.lights[light].regions)
-        m.regions.push_back({nameOfPlane(region.plane, context), region.rectangle.width(), region.rectangle.height()});
+        m.regions.push_back({nameOfPlane(region.plane, context, plan, light), region.rectangle.width(), region.rectangle.height()});
     for (const LeftOutPlane& left : plan.lights[light].leftOut)
-        m.leftOut.push_back({nameOfPlane(left.plane, context), std::string(nameOf(left.why))});
+        m.leftOut.push_back({nameOfPlane(left.plane, context, plan, light), std::string(nameOf(left.why))});
     Density density = densityOf(context, plan.lights[light], light);
     if (pictures.isWanted())
         m.pictures.density = pictures.write(densityPicture(density.lixelsPerPixel), lightName + "-density");

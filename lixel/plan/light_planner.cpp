@@ -21,9 +21,6 @@
 namespace lixel {
 namespace {
 
-// A plane is chosen when it lowers the predicted error to this part at least.
-constexpr double kGainOfPlane = 0.95;
-
 struct FitOf
 {
     const FitInput& input;
@@ -105,7 +102,8 @@ LightPlanner::LightPlanner(const PlanInput& input, std::size_t number, const Box
                 input.technique.isStable,
                 {},
                 input.technique.allocation == Allocation::Exact},
-      predictor_(input.view, input.originWorld)
+      predictor_(input.view, input.originWorld),
+      number_(number)
 {
     const Light& light = input.lights[number];
     gatherSeen(input, light, scratch);
@@ -114,7 +112,7 @@ LightPlanner::LightPlanner(const PlanInput& input, std::size_t number, const Box
                       scratch.need);
 }
 
-std::optional<FitFailure> LightPlanner::choose(std::vector<LeftOutPlane>& leftOut)
+std::optional<FitFailure> LightPlanner::choose(ShadowPlan& out)
 {
     const auto* planes = std::get_if<PlanesPartition>(&input_.technique.partition);
     std::optional<FitFailure> refused;
@@ -122,11 +120,12 @@ std::optional<FitFailure> LightPlanner::choose(std::vector<LeftOutPlane>& leftOu
         refused = addElseTo(addAll(input_.technique.partition, input_.technique.fit));
     } else if (planes->names.empty()) {
         if (!input_.seen) return FitFailure::NoViewSamples;
-        refused = tryPlanes(bestPlanes(planes->twist), planes->twist, leftOut);
+        lookForPlanes(out.foundPlanes);
+        refused = tryPlanes(planesThatPay(out.foundPlanes, planes->twist), planes->twist, out.leftOut);
     } else {
         const auto named = namedPlanes(*planes, input_, scratch_);
         if (!named) return FitFailure::NoSuchPlane;
-        refused = tryPlanes(*named, planes->twist, leftOut);
+        refused = tryPlanes(*named, planes->twist, out.leftOut);
     }
     if (refused) return refused;
     if (candidates_.empty()) return FitFailure::NothingInView;
@@ -138,14 +137,19 @@ std::optional<FitFailure> LightPlanner::choose(std::vector<LeftOutPlane>& leftOu
     return std::nullopt;
 }
 
-// What serves the rest, where there is any.
+// What serves the rest, where there is any. What does not fit one map is split like a cube.
 std::optional<FitFailure> LightPlanner::addElseTo(std::optional<FitFailure> refused)
 {
     const auto& otherwise = input_.technique.otherwise;
     if (!otherwise || !(keepUnserved() || refused)) return refused;
     if (std::holds_alternative<PlanesPartition>(input_.technique.partition)) findUnservedRays();
-    const std::optional<FitFailure> refusedToo = addAll(otherwise->partition, otherwise->fit);
-    return refused ? refusedToo : std::nullopt;
+    const std::size_t before = candidates_.size();
+    std::optional<FitFailure> refusedToo = addAll(otherwise->partition, otherwise->fit);
+    const bool isWhole = std::holds_alternative<WholePartition>(otherwise->partition);
+    if (refusedToo == FitFailure::ExtentNotInHemisphere && isWhole) refusedToo = addAll(CubePartition{}, otherwise->fit);
+    // Regions that were there serve what they can, but an else(...) promises the rest.
+    if (refusedToo == FitFailure::NothingInView && before > 0) refusedToo.reset();
+    return refusedToo;
 }
 
 // Regions of planes, and what serves the rest. A plane that has none is left out, with its reason; refused is only what leaves
@@ -156,7 +160,7 @@ std::optional<FitFailure> LightPlanner::tryPlanes(const InterestPlanes& planes, 
     candidates_.clear();
     leftOut.clear();
     isCropping_ = false;
-    seenLocal_ = scratch_.seenLocal;
+    seenLocal_ = triedLocal_.value_or(scratch_.seenLocal);
     fitInput_.cellLocal.clear();
     std::optional<FitFailure> refused = FitFailure::NoSuchPlane;
     if (!planes.empty()) {
@@ -168,42 +172,6 @@ std::optional<FitFailure> LightPlanner::tryPlanes(const InterestPlanes& planes, 
         else refused = leftOut.front().why;
     }
     return addElseTo(refused);
-}
-
-// The planes that pay: one after the other the one that lowers the predicted error most, as long as one does so by enough.
-InterestPlanes LightPlanner::bestPlanes(Twist twist)
-{
-    std::vector<LeftOutPlane>& leftOut = scratch_.leftOut;
-    InterestPlanes chosen;
-    tryPlanes(chosen, twist, leftOut);
-    double least = predictedError();
-    for (;;) {
-        double best = kGainOfPlane * least;
-        std::optional<InterestPlanes> better;
-        for (std::size_t i = 0; i < input_.planes.size(); ++i) {
-            if (std::any_of(chosen.begin(), chosen.end(), [&](const InterestPlane& p) { return p.number == int(i); }))
-                continue;
-            InterestPlanes with = chosen;
-            with.push_back(interestPlane(input_.planes[i], input_.originWorld, int(i), scratch_.plane));
-            if (tryPlanes(with, twist, leftOut)) continue;
-            const double error = predictedError();
-            if (error < best) best = error, better = with;
-        }
-        if (!better) return chosen;
-        chosen = *better;
-        least = best;
-        if (chosen.size() == chosen.capacity()) return chosen;
-    }
-}
-
-// Of the candidates at the best shares and aspects, for one lixel in all.
-double LightPlanner::predictedError()
-{
-    if (candidates_.empty()) return std::numeric_limits<double>::infinity();
-    findNeeds();
-    double sum = 0;
-    for (const Candidate& candidate : candidates_) sum += std::cbrt(candidate.need.best() * candidate.need.best());
-    return sum * std::sqrt(sum);
 }
 
 std::optional<FitFailure> LightPlanner::addAll(const Partition& partition, const FitChoice& fit)
@@ -235,7 +203,7 @@ LightPlanner::Candidate* LightPlanner::serving(Vec3d pointLocal)
 void LightPlanner::findNeeds()
 {
     for (Candidate& candidate : candidates_) candidate.need = {};
-    for (const NeedSample& sample : scratch_.need.samples)
+    for (const NeedSample& sample : scratch_.need)
         if (Candidate* candidate = serving(sample.pointLocal)) candidate->need += predictor_.of(candidate->fit, sample);
 }
 
@@ -244,7 +212,7 @@ bool LightPlanner::keepUnserved()
 {
     if (!input_.seen) return true;
     scratch_.seenUnservedLocal.clear();
-    for (const Vec3d& p : scratch_.seenLocal)
+    for (const Vec3d& p : triedLocal_.value_or(scratch_.seenLocal))
         if (!serving(p)) scratch_.seenUnservedLocal.push_back(p);
     seenLocal_ = scratch_.seenUnservedLocal;
     return !seenLocal_.empty() || !input_.seenIsAll;

@@ -19,7 +19,7 @@ public:
     LightPlanner(const PlanInput& input, std::size_t light, const Box& sceneLocal, FitScratch& scratch);
 
     // What was refused, if anything; then nothing of the light is served.
-    std::optional<FitFailure> choose(std::vector<LeftOutPlane>& leftOut);
+    std::optional<FitFailure> choose(ShadowPlan& out);
 
     // Into rectangles of one layer; `atlas` grows to hold them. False where there are too few lixels.
     bool placeAll(int layer, const LookupLayout& lookup, LixelSize& atlas, std::vector<PlannedRegion>& regions);
@@ -36,7 +36,8 @@ private:
     using Candidates = FixedVector<Candidate, 2 * kMostCells>;
 
     std::optional<FitFailure> tryPlanes(const InterestPlanes& planes, Twist twist, std::vector<LeftOutPlane>& leftOut);
-    InterestPlanes bestPlanes(Twist twist);
+    void lookForPlanes(std::vector<FoundPlane>& found);
+    InterestPlanes planesThatPay(std::span<const FoundPlane> found, Twist twist);
     double predictedError();
     std::optional<FitFailure> addElseTo(std::optional<FitFailure> refused);
     std::optional<FitFailure> addAll(const Partition& partition, const FitChoice& fit);
@@ -54,6 +55,8 @@ private:
     FitInput fitInput_;
     NeedPredictor predictor_;
     Candidates candidates_;
+    std::size_t number_;                                 // the light's
+    std::optional<std::span<const Vec3d>> triedLocal_;   // what stands for the view samples while plans are only tried
     std::span<const Vec3d> seenLocal_; // view samples that face the light and are still to be served
     bool isCropping_ = false;          // what is added now serves scratch.rays only
 };

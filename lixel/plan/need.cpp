@@ -2,14 +2,12 @@
 #include "lixel/plan/need.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstdlib>
 
 namespace lixel {
 namespace {
 
 constexpr std::size_t kMostAtBoundaries = 768, kMostOthers = 256;
-constexpr double kAwayFromBoundaries = 0.02;
+constexpr double kAwayFromBoundaries = 0.002;
 
 // A lixel that spans the map is not longer in the picture than so many of its diagonals.
 constexpr double kMostDiagonals = 8;
@@ -34,59 +32,6 @@ void takeEvenly(std::size_t count, std::size_t most, const Wanted& wanted, const
     }
 }
 
-// Which cells of an observation are lit, as a grid.
-class LitGrid
-{
-public:
-    template <typename IsFacing>
-    LitGrid(const Observation& observed, std::uint32_t bit, const IsFacing& isFacing, std::vector<std::int8_t>& room)
-        : observed_(observed), room_(room)
-    {
-        room.assign(std::size_t(observed.grid.width) * std::size_t(observed.grid.height), kUnknown);
-        for (std::size_t i = 0; i < observed.samples.size(); ++i)
-            if (isFacing(i)) room[cellOf(observed.samples.pixel[i])] = (observed.lit[i] & bit) != 0;
-    }
-
-    // The direction in which light changes around a cell, in pixels, of length 1; zero where there is none.
-    Vec2d acrossEdge(Vec2f pixel) const
-    {
-        const ObservationGrid& grid = observed_.grid;
-        const auto cell = int(cellOf(pixel));
-        const int column = cell % grid.width, row = cell / grid.width;
-        Vec2d sum, sumOfLit;
-        double count = 0, lit = 0;
-        for (int y = std::max(0, row - kWindow); y <= std::min(grid.height - 1, row + kWindow); ++y)
-            for (int x = std::max(0, column - kWindow); x <= std::min(grid.width - 1, column + kWindow); ++x) {
-                const std::int8_t value = room_[std::size_t(y) * std::size_t(grid.width) + std::size_t(x)];
-                if (value == kUnknown) continue;
-                const Vec2d at{double(x - column) / grid.width * observed_.samples.width,
-                               double(y - row) / grid.height * observed_.samples.height};
-                sum = sum + at, count += 1;
-                if (value != 0) sumOfLit = sumOfLit + at, lit += 1;
-            }
-        const Vec2d change = sumOfLit - lit / std::max(count, 1.0) * sum;
-        const double size = length(change);
-        return size > 1e-6 ? 1 / size * change : Vec2d{};
-    }
-
-private:
-    static constexpr std::int8_t kUnknown = -1;
-    static constexpr int kWindow = 2; // cells to every side
-
-    std::size_t cellOf(Vec2f pixel) const
-    {
-        const ObservationGrid& grid = observed_.grid;
-        const int column =
-            std::clamp(int(pixel.x * float(grid.width) / float(observed_.samples.width)), 0, grid.width - 1);
-        const int row =
-            std::clamp(int(pixel.y * float(grid.height) / float(observed_.samples.height)), 0, grid.height - 1);
-        return std::size_t(row) * std::size_t(grid.width) + std::size_t(column);
-    }
-
-    const Observation& observed_;
-    std::vector<std::int8_t>& room_;
-};
-
 // How a surface lies in an image: what its unit tangents are there.
 struct PlaneImage
 {
@@ -105,9 +50,9 @@ struct PlaneImage
 
 } // namespace
 
-void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld, NeedScratch& scratch)
+void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld,
+                       std::vector<NeedSample>& samples)
 {
-    std::vector<NeedSample>& samples = scratch.samples;
     samples.clear();
     const Observation* observed = source.observed;
     if (!observed || observed->atBoundary.empty() || source.lightNumber >= kObservedLights) {
@@ -124,11 +69,10 @@ void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d origi
     const std::uint32_t bit = std::uint32_t{1} << source.lightNumber;
     const auto isAtBoundary = [&](std::size_t i) { return (observed->atBoundary[i] & bit) != 0; };
 
-    const LitGrid grid(*observed, bit, isFacing, scratch.lit);
     takeEvenly(
         cells.size(), kMostAtBoundaries, isAtBoundary,
         [&](std::size_t i) {
-            return NeedSample{at(i), normal(i), double(cells.weightOf(i)), grid.acrossEdge(cells.pixel[i])};
+            return NeedSample{at(i), normal(i), double(cells.weightOf(i))};
         },
         samples);
     takeEvenly(
@@ -157,16 +101,9 @@ Need NeedPredictor::of(const Fit& fit, const NeedSample& sample) const
     const Vec2d x{2 * map.second.y / area, -2 * map.first.y / area},
         y{-2 * map.second.x / area, 2 * map.first.x / area};
     const auto capped = [&](double width) { return sample.weight * std::min(width, most_); };
-    if (std::getenv("LXISO") || sample.acrossEdge == Vec2d{}) {
-        const double foreshortening =
-            std::abs(cross(picture.first, picture.second)) /
-            std::sqrt(0.5 * (dot(picture.first, picture.first) + dot(picture.second, picture.second)));
-        return {capped(foreshortening * length(x)), capped(foreshortening * length(y))};
-    }
-    const auto across = [&](Vec2d side) {
-        return std::abs(dot(sample.acrossEdge, side.x * picture.first + side.y * picture.second));
-    };
-    return {capped(across(x)), capped(across(y))};
+    const double size = std::sqrt(0.5 * (dot(picture.first, picture.first) + dot(picture.second, picture.second)));
+    const double width = std::abs(cross(picture.first, picture.second)) / size; // of the surface's unit, across an edge
+    return {capped(width * length(x)), capped(width * length(y))};
 }
 
 } // namespace lixel

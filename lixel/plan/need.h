@@ -19,9 +19,10 @@ struct NeedSource
     std::span<const Vec3d> seenLocal, seenNormal;
 };
 
-// A few hundred of them: of an observation all at shadow boundaries, as far as there is room, with the direction in which light changes
-// there, and some others at a fiftieth of their weight, since boundaries may have been missed; without one, evenly of what is seen.
-void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld, NeedScratch& scratch);
+// A few hundred of them: of an observation all at shadow boundaries, as far as there is room, and some others at a five hundredth
+// of their weight, since boundaries may have been missed; without one, evenly of what is seen.
+void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld,
+                       std::vector<NeedSample>& samples);
 
 // Sums, over samples, of how wide one step of a map's x and y is in the picture across the shadow's edge, the map having one lixel.
 // A lixel misplaces the edge by about half its width, so with width by height lixels errors go with
@@ -42,8 +43,9 @@ struct Need
     }
 };
 
-// What a map does to one sample that it holds. An edge of unknown direction has, on the surface, any direction alike, so that in the
-// picture it is foreshortened as the surface is. Edge-on surfaces have endless lixels; none counts as more than some pictures.
+// What a map does to one sample that it holds. Edges are taken to run in all directions of the surface alike, so that in the
+// picture they are foreshortened as the surface is: on a floor seen from low above most lie across. Edge-on surfaces have endless
+// lixels; none counts as more than some pictures.
 class NeedPredictor
 {
 public:

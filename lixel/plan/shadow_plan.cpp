@@ -78,11 +78,8 @@ std::optional<FirstPass> firstPassOf(const MapTechnique& technique, LixelSize li
 {
     const auto* planes = std::get_if<PlanesPartition>(&technique.partition);
     if (!planes || !planes->names.empty()) return std::nullopt;
-    MapTechnique first;
-    if (technique.otherwise) {
-        first.partition = technique.otherwise->partition;
-        first.fit = technique.otherwise->fit;
-    }
+    MapTechnique first; // focused
+    first.otherwise = Fallback{CubePartition{}, FocusedFit{}};
     const double lixelsInAll = double(lixels.width) * lixels.height / kFirstPassOfAll;
     const int side = std::max(1, int(std::sqrt(lixelsInAll)));
     return FirstPass{first, {side, side}};
@@ -118,11 +115,12 @@ FramePlan planShadows(const PlanInput& input, FitScratch& scratch, FramePlan rec
         ShadowPlan& light = plan.lights[i];
         light.regions.clear();
         light.leftOut.clear();
+        light.foundPlanes.clear();
         if (isGiven(input.technique.fit)) {
             light.refused = takeGiven(input, input.lights[i], plan.layers, plan.atlas, light.regions);
         } else {
             LightPlanner planner(input, i, sceneLocal, scratch);
-            light.refused = planner.choose(light.leftOut);
+            light.refused = planner.choose(light);
             if (!light.refused && !planner.placeAll(plan.layers, plan.lookup, plan.atlas, light.regions))
                 light.refused = FitFailure::TooFewLixels;
         }

@@ -360,6 +360,19 @@ std::string take(const Word& word, Parts& parts)
     return fmt::format("\"{}\" is not known; known are {}", word.name, knownWords());
 }
 
+// What plane-optimal brings along: what its planes do not hold goes to else(...), and planes(auto), which is made from view samples,
+// holds no more than those.
+void completePlanes(MapTechnique& technique)
+{
+    auto* fit = std::get_if<PlaneOptimalFit>(&technique.fit);
+    const auto* planes = std::get_if<PlanesPartition>(&technique.partition);
+    if (!fit || !planes) return;
+    const bool isAuto = planes->names.empty();
+    fit->isOfSamples |= isAuto;
+    if (fit->uncoveredIsLit || technique.otherwise) return;
+    technique.otherwise = isAuto ? Fallback{WholePartition{}, DesiredViewFit{true}} : Fallback{};
+}
+
 // What goes together, one line each; empty, or what does not.
 std::string checkTogether(const MapTechnique& map, const Parts& parts)
 {
@@ -471,9 +484,7 @@ Expected<Technique, std::string> parseTechnique(std::string_view text)
     technique.isStable = parts.isStable;
     technique.allocation = parts.allocation.value_or(parts.isStable ? Allocation::Share : Allocation::Need);
     technique.otherwise = parts.otherwise;
-    if (const auto* planes = std::get_if<PlaneOptimalFit>(&technique.fit);
-        planes && !planes->uncoveredIsLit && !technique.otherwise)
-        technique.otherwise = Fallback{};
+    completePlanes(technique);
     if (parts.store) technique.store = *parts.store;
     if (parts.kernel) technique.kernel = *parts.kernel;
     if (const std::string wrong = checkTogether(technique, parts); !wrong.empty()) return fail(wrong);

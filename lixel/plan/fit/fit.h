@@ -6,6 +6,7 @@
 #include "lixel/base/light.h"
 #include "lixel/base/rectangle.h"
 #include "lixel/base/view.h"
+#include "lixel/plan/partition/find_planes.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -41,13 +42,7 @@ using RayPolygon = FixedVector<Vec3d, kMostRayCorners>;
 struct NeedSample
 {
     Vec3d pointLocal, normal;
-    double weight = 1;  // pixels that it stands for, times how likely a shadow ends there
-    Vec2d acrossEdge{}; // unit direction in the picture, across the shadow's edge; zero: unknown
-};
-struct NeedScratch
-{
-    std::vector<NeedSample> samples;
-    std::vector<std::int8_t> lit; // of an observation's cells
+    double weight = 1; // pixels that it stands for, times how likely a shadow ends there
 };
 
 // A plane of interest that has no region, and why.
@@ -70,7 +65,11 @@ struct FitScratch
     // View samples that face the light, those of them that no region serves yet, and those of a region.
     std::vector<Vec3d> seenLocal, seenNormal, seenUnservedLocal, seenInCellLocal;
     std::vector<RayPolygon> rays, raysRoom; // those that no region serves yet
-    NeedScratch need;
+    std::vector<NeedSample> need;
+    std::vector<Vec3d> needLocal; // where they are
+    PlaneScratch planes;
+    std::vector<Vec3d> planePoints, planeNormals; // of what planes are sought among
+    std::vector<float> planeWeights;
     std::vector<LeftOutPlane> leftOut;
 };
 

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/light_planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// planes(auto): which of the planes that are seen, have maps of their own.
+namespace lixel {
+namespace {
+
+// A region is added when it lowers the predicted error to this part at least.
+constexpr double kGainOfRegion = 0.95;
+
+// So many of the heaviest planes are tried.
+constexpr std::size_t kMostTried = 4;
+
+// Samples away from boundaries tell where planes are, not where they matter.
+constexpr float kAwayFromBoundaries = 0.05f;
+
+} // namespace
+
+// In the observation, where there is one, samples at boundaries first.
+void LightPlanner::lookForPlanes(std::vector<FoundPlane>& found)
+{
+    std::vector<Vec3d>&points = scratch_.planePoints, &normals = scratch_.planeNormals;
+    std::vector<float>& weights = scratch_.planeWeights;
+    points.clear(), normals.clear(), weights.clear();
+    PlaneSearch search;
+    if (const Observation* observed = input_.observed; observed && number_ < kObservedLights && !observed->lit.empty()) {
+        const ViewSamples& cells = observed->samples;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const Vec3d p = toDouble(cells.positionLocal[i]) + (cells.originWorld - input_.originWorld);
+            const Vec3d n = toDouble(cells.normal[i]);
+            if (!isLightFacing(fitInput_.light, input_.originWorld, p, n)) continue;
+            points.push_back(p), normals.push_back(n);
+            weights.push_back((observed->atBoundary[i] >> number_) & 1u ? 1.0f : kAwayFromBoundaries);
+        }
+        search.pointsLocal = points, search.normals = normals, search.weights = weights;
+    } else {
+        search.pointsLocal = scratch_.seenLocal, search.normals = scratch_.seenNormal;
+    }
+    search.pixelSize = pixelSizeLocal(input_.view, input_.originWorld);
+    search.earlierLocal = input_.planesBeforeLocal;
+    FoundPlanes planes;
+    findPlanes(search, scratch_.planes, planes);
+    found.assign(planes.begin(), planes.end());
+}
+
+// One after the other the plane that lowers the predicted error most, as long as one does so by enough. Trials see the few samples
+// that predictions ask; the plan itself is then made from all.
+InterestPlanes LightPlanner::planesThatPay(std::span<const FoundPlane> found, Twist twist)
+{
+    scratch_.needLocal.clear();
+    for (const NeedSample& sample : scratch_.need) scratch_.needLocal.push_back(sample.pointLocal);
+    triedLocal_ = scratch_.needLocal;
+
+    InterestPlanes chosen;
+    tryPlanes(chosen, twist, scratch_.leftOut);
+    double least = predictedError();
+    while (chosen.size() < chosen.capacity()) {
+        double best = kGainOfRegion * least;
+        std::optional<InterestPlanes> better;
+        const auto consider = [&](const InterestPlanes& planes) {
+            if (tryPlanes(planes, twist, scratch_.leftOut)) return;
+            if (const double error = predictedError(); error < best) best = error, better = planes;
+        };
+        for (std::size_t i = 0; i < std::min(found.size(), kMostTried); ++i) {
+            const auto isThis = [&](const InterestPlane& p) { return p.number == int(i); };
+            if (std::any_of(chosen.begin(), chosen.end(), isThis)) continue;
+            InterestPlanes with = chosen;
+            with.push_back({found[i].planeLocal, {}, int(i)});
+            consider(with);
+        }
+        if (!better) break;
+        chosen = *better;
+        least = best;
+    }
+    triedLocal_.reset();
+    return chosen;
+}
+
+// Of the candidates at the best shares and aspects, for one lixel in all.
+double LightPlanner::predictedError()
+{
+    if (candidates_.empty()) return std::numeric_limits<double>::infinity();
+    findNeeds();
+    double sum = 0;
+    for (const Candidate& candidate : candidates_) sum += std::cbrt(candidate.need.best() * candidate.need.best());
+    return sum * std::sqrt(sum);
+}
+
+} // namespace lixel
