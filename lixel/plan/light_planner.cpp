@@ -146,7 +146,8 @@ std::optional<FitFailure> LightPlanner::addElseTo(std::optional<FitFailure> refu
     const std::size_t before = candidates_.size();
     std::optional<FitFailure> refusedToo = addAll(otherwise->partition, otherwise->fit);
     const bool isWhole = std::holds_alternative<WholePartition>(otherwise->partition);
-    if (refusedToo == FitFailure::ExtentNotInHemisphere && isWhole) refusedToo = addAll(CubePartition{}, otherwise->fit);
+    if (refusedToo == FitFailure::ExtentNotInHemisphere && isWhole)
+        refusedToo = addAll(CubePartition{}, otherwise->fit);
     // Regions that were there serve what they can, but an else(...) promises the rest.
     if (refusedToo == FitFailure::NothingInView && before > 0) refusedToo.reset();
     return refusedToo;

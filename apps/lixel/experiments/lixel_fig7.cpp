@@ -36,7 +36,7 @@ struct Scenery
 constexpr std::array<Scenery, 2> kSceneries{
     {{"bunnies",
       {{{"high", "an ordinary view", {5, 11, 6}, {-3, 12, 4}},
-        {kElongated, "elongated shadows", {6, 4.2, -2.5}, {4, 2.6, -2.7}},
+        {kElongated, "elongated shadows", {9, 4.2, -2}, {6.8, 2.6, -2.6}},
         {"side", "light from the side", {-11, 8, 3}, {-12, 5.5, 5}},
         {kInFront, "light in front of the camera", {-3, 7, -2.6}, {3, 4.8, -2.6}}}}},
      {"objects",
