@@ -268,6 +268,18 @@ Truth findTruth(const Stage& stage, const ViewSamples& samples, std::span<const 
     return truth;
 }
 
+std::vector<ResultRow> compareTechniques(const ShotContext& context,
+                                         std::span<const std::unique_ptr<Executor>> executors,
+                                         const std::function<void(std::string_view)>& onStep)
+{
+    std::vector<ResultRow> all;
+    for (const TechniqueChoice& choice : context.options.techniques) {
+        std::vector<ResultRow> rows = rowsOfAll(context, executors, choice, onStep);
+        all.insert(all.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
+    }
+    return all;
+}
+
 int stepsPerShot(std::size_t executors, const ComparisonOptions& options)
 {
     return 2 + int(options.techniques.size() * executors);
@@ -282,14 +294,7 @@ std::vector<ResultRow> compareShot(const Shooting& shooting, const Shot& shot, c
     const ViewSamples samples = executors.front()->viewSamples(stage, view);
     onStep(shot.name + ": exact visibility");
     const Truth truth = findTruth(stage, samples, shot.lights, shooting.planes);
-    const ShotContext context{shooting, shot, stage, view, samples, truth, options};
-
-    std::vector<ResultRow> all;
-    for (const TechniqueChoice& choice : options.techniques) {
-        std::vector<ResultRow> rows = rowsOfAll(context, executors, choice, onStep);
-        all.insert(all.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
-    }
-    return all;
+    return compareTechniques({shooting, shot, stage, view, samples, truth, options}, executors, onStep);
 }
 
 } // namespace lixel::app

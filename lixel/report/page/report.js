@@ -59,5 +59,7 @@ function showRefused() {
 showHead();
 showSummary();
 startPictures();
+showReproduction();
+showStudy();
 showRows();
 showRefused();
