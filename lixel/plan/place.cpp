@@ -10,6 +10,9 @@ namespace {
 // Sides of a map closer than this share are equal but for rounding, which must not turn it.
 constexpr double kEqual = 1e-9;
 
+// Lixels that rounding moves receivers by, at most, of the narrowest maps.
+constexpr double kRounding = 0.2;
+
 // Moves a parallel map along one axis, by half a lixel at most, so that the world's origin lies on a border of lixels.
 void snapRow(Mat4d& clip, int row, int lixels, Vec3d originWorld)
 {
@@ -48,6 +51,12 @@ Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout&
     if (fit.snapsToWorld && rectangle.width() > 1) snapRow(clip, 0, rectangle.width(), originWorld);
     if (fit.snapsToWorld && rectangle.height() > 1) snapRow(clip, 1, rectangle.height(), originWorld);
     return clip;
+}
+
+double guardBand(const LixelRectangle& rectangle, const LookupLayout& lookup)
+{
+    const double room = 0.5 * std::min(rectangle.width(), rectangle.height()) - 0.5;
+    return std::max(0.0, std::min(lookup.reach, room) - kRounding);
 }
 
 } // namespace lixel

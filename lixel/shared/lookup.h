@@ -20,7 +20,7 @@ struct LxReceiver
     float isOnPlane;    // 1 on the plane that the region's lixels are the pixels of, else 0
     float slack;        // depth that rounding may have moved the receiver or the map by
     float slackBeside;  // further slack for taps of other lixels: what is called one plane may be a little rough
-    float isInside;     // 1 inside the region's rectangle and before its far side, else 0
+    float isInside;     // 1 where the region serves it and before its far side, else 0
 };
 
 // Rounding of one float product and sum, with room for the matrix, the point and the rasterizer's interpolation.
@@ -90,8 +90,8 @@ LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
     float errorY = (sumY + abs(ndc.y) * sumW) * abs(perW) * region.lixelFromNdc.y;
     float errorZ = (sumZ + abs(ndc.z) * sumW) * abs(perW);
     // Beyond the far side nothing is drawn: what lies there would lose its shadows, and is the next region's.
-    bool inside = clip.w > 0.0f && r.lixel.x >= region.rectangle.x && r.lixel.y >= region.rectangle.y &&
-                  r.lixel.x < region.rectangle.z && r.lixel.y < region.rectangle.w && r.depth >= -LX_ROUNDING * errorZ;
+    bool inside = clip.w > 0.0f && r.lixel.x >= region.serves.x && r.lixel.y >= region.serves.y &&
+                  r.lixel.x < region.serves.z && r.lixel.y < region.serves.w && r.depth >= -LX_ROUNDING * errorZ;
     r.isInside = inside ? 1.0f : 0.0f;
     r.slack = isEdgeOn ? steepest : LX_ROUNDING * (errorZ + abs(gx) * errorX + abs(gy) * errorY);
     r.at = r.lixel;
