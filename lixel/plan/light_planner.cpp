@@ -228,12 +228,13 @@ void LightPlanner::findUnservedRays()
     fitInput_.cellLocal.clear();
     if (isOfSamples) {
         if (!input_.seen || !input_.seenIsAll) return;
-        raysThrough(fitInput_, space, seenLocal_, scratch_.rays);
+        scratch_.pointsOfRays.assign(seenLocal_.begin(), seenLocal_.end());
+        raysThrough(fitInput_, space, scratch_.pointsOfRays, scratch_.rays);
         isCropping_ = true;
         return;
     }
-    findVisiblePoints(fitInput_, scratch_.points);
-    raysThrough(fitInput_, space, scratch_.points, scratch_.rays);
+    findVisiblePoints(fitInput_, scratch_.pointsOfRays);
+    raysThrough(fitInput_, space, scratch_.pointsOfRays, scratch_.rays);
     isCropping_ = takeAwayServed(space);
 }
 
@@ -263,7 +264,14 @@ std::optional<Fit> LightPlanner::cropped(const Fit& fit, const Cell& cell)
         if (!space.holdsLight(plane, fitInput_.sceneLocal.diagonal())) continue;
         for (RayPolygon& polygon : scratch_.raysRoom) polygon = clipped(polygon, space.insideOf(plane));
     }
-    return croppedTo(fit, space, scratch_.raysRoom, scratch_.plane);
+    std::span<const Vec3d> held = scratch_.pointsOfRays;
+    if (fit.isOfSamples) {
+        held = fitInput_.seenLocal;
+    } else if (!cell.holdsLocal.empty()) {
+        findVisiblePoints(fitInput_, scratch_.points);
+        held = scratch_.points;
+    }
+    return croppedTo(fit, space, scratch_.raysRoom, held, scratch_.plane);
 }
 
 std::optional<FitFailure> LightPlanner::add(const Cell& cell, const FitChoice& fit)
@@ -284,6 +292,17 @@ std::optional<FitFailure> LightPlanner::add(const Cell& cell, const FitChoice& f
     if (chosen->narrowedToLocal) candidate.halfSpacesLocal.push_back(*chosen->narrowedToLocal);
     candidates_.push_back(candidate);
     return std::nullopt;
+}
+
+// What a first pass left of the budget's rectangle, without rows or columns, whichever leaves more. Nothing where it took all.
+std::optional<LixelRectangle> LightPlanner::leftOfBudget(int layer) const
+{
+    const auto [width, height] = input_.lixels;
+    const auto spentOf = [&](int length) { return (input_.lixelsSpent + length - 1) / length; };
+    const std::int64_t rows = height - spentOf(width), columns = width - spentOf(height);
+    if (std::max(rows, columns) < 1) return std::nullopt;
+    if (rows * width >= columns * height) return LixelRectangle{0, 0, width, int(rows), layer};
+    return LixelRectangle{0, 0, int(columns), height, layer};
 }
 
 // Sizes where some maps have a lixel a pixel and a guard band around; the others share the rest, as squares. False where that is
@@ -341,14 +360,14 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
         given = {sizes.data(), sizes.size()};
     }
     if (given.empty()) {
-        const int spent = int((input_.lixelsSpent + input_.lixels.width - 1) / input_.lixels.width);
-        const LixelRectangle whole{0, 0, input_.lixels.width, std::max(1, input_.lixels.height - spent), layer};
+        const auto whole = leftOfBudget(layer);
+        if (!whole) return false;
         sharesByNeed({shares.data(), shares.size()});
         areTurned = known > 0 && std::isfinite(known);
         const bool isCut = areTurned
-                               ? cutRectangleByNeed(whole, {shares.data(), shares.size()}, {needs.data(), needs.size()},
+                               ? cutRectangleByNeed(*whole, {shares.data(), shares.size()}, {needs.data(), needs.size()},
                                                     pieces, {turned.data(), turned.size()})
-                               : cutRectangle(whole, {shares.data(), shares.size()}, pieces);
+                               : cutRectangle(*whole, {shares.data(), shares.size()}, pieces);
         if (!isCut) return false;
         atlas = {std::max(atlas.width, input_.lixels.width), std::max(atlas.height, input_.lixels.height)};
     } else {

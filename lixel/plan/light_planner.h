@@ -48,6 +48,7 @@ private:
     void findUnservedRays();
     bool takeAwayServed(const RaySpace& space);
     std::optional<Fit> cropped(const Fit& fit, const Cell& cell);
+    std::optional<LixelRectangle> leftOfBudget(int layer) const;
     bool sizeAll(const LookupLayout& lookup, std::span<LixelSize> sizes) const;
 
     const PlanInput& input_;
