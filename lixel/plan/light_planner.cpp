@@ -60,9 +60,18 @@ void gatherSeen(const PlanInput& input, const Light& light, FitScratch& scratch)
     }
 }
 
-bool holdsPoint(const CellPlanes& cell, Vec3d p)
+// Of half-spaces in float: of their numbers, three products and three sums.
+constexpr double kFloatRounding = 4 * 0x1p-24;
+
+// Whether a point is in a cell, by more than rounding of so much of the terms.
+bool holdsPoint(const CellPlanes& cell, Vec3d p, double rounding = 0)
 {
-    return std::all_of(cell.begin(), cell.end(), [&](const Plane& plane) { return plane.signedDistance(p) >= 0; });
+    return std::all_of(cell.begin(), cell.end(), [&](const Plane& plane) {
+        const Vec3d n = plane.normal;
+        const double terms =
+            std::abs(n.x * p.x) + std::abs(n.y * p.y) + std::abs(n.z * p.z) + std::abs(plane.offset);
+        return plane.signedDistance(p) >= rounding * terms;
+    });
 }
 
 void gatherSeenIn(const CellPlanes& cell, std::span<const Vec3d> seenLocal, std::vector<Vec3d>& inside)
@@ -189,11 +198,11 @@ std::optional<FitFailure> LightPlanner::addAll(const Partition& partition, const
     return refused;
 }
 
-// The one that serves a receiver; nothing where none does.
-LightPlanner::Candidate* LightPlanner::serving(Vec3d pointLocal)
+// The one that serves a receiver, also where its half-spaces are rounded by so much of their terms; nothing where none does.
+LightPlanner::Candidate* LightPlanner::serving(Vec3d pointLocal, double rounding)
 {
     const auto found = std::find_if(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
-        if (!holdsPoint(candidate.halfSpacesLocal, pointLocal)) return false;
+        if (!holdsPoint(candidate.halfSpacesLocal, pointLocal, rounding)) return false;
         const Vec4d c = candidate.fit.lightClipFromLocal * point(pointLocal);
         return c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z <= c.w;
     });
@@ -213,7 +222,7 @@ bool LightPlanner::keepUnserved()
     if (!input_.seen) return true;
     scratch_.seenUnservedLocal.clear();
     for (const Vec3d& p : triedLocal_.value_or(scratch_.seenLocal))
-        if (!serving(p)) scratch_.seenUnservedLocal.push_back(p);
+        if (!serving(p, kFloatRounding)) scratch_.seenUnservedLocal.push_back(p);
     seenLocal_ = scratch_.seenUnservedLocal;
     return !seenLocal_.empty() || !input_.seenIsAll;
 }
@@ -245,7 +254,7 @@ bool LightPlanner::takeAwayServed(const RaySpace& space)
     for (const Candidate& candidate : candidates_) {
         if (candidate.fit.narrowedToLocal) return false;
         FixedVector<Vec3d, 2 * CellPlanes::capacity()> insides;
-        for (const CellPlanes* planes : {&candidate.halfSpacesLocal, &candidate.fit.holdsLocal})
+        for (const CellPlanes* planes : {&candidate.ownLocal, &candidate.fit.holdsLocal})
             for (const Plane& plane : *planes) {
                 if (!space.holdsLight(plane, sceneSize)) return false;
                 insides.push_back(space.insideOf(plane));
@@ -288,7 +297,7 @@ std::optional<FitFailure> LightPlanner::add(const Cell& cell, const FitChoice& f
     std::optional<Fit> chosen = *result;
     if (isCropping_) chosen = cropped(*result, cell);
     if (!chosen) return FitFailure::NothingInView;
-    Candidate candidate{*chosen, cell.servesLocal, cell.planeNumber, {}};
+    Candidate candidate{*chosen, cell.ownLocal, cell.servesLocal, cell.planeNumber, {}};
     if (chosen->narrowedToLocal) candidate.halfSpacesLocal.push_back(*chosen->narrowedToLocal);
     candidates_.push_back(candidate);
     return std::nullopt;

@@ -29,7 +29,7 @@ private:
     struct Candidate
     {
         Fit fit;
-        CellPlanes halfSpacesLocal; // asked of receivers
+        CellPlanes ownLocal, halfSpacesLocal; // its own rays; asked of receivers
         int plane = -1;
         Need need;
     };
@@ -42,7 +42,7 @@ private:
     std::optional<FitFailure> addElseTo(std::optional<FitFailure> refused);
     std::optional<FitFailure> addAll(const Partition& partition, const FitChoice& fit);
     std::optional<FitFailure> add(const Cell& cell, const FitChoice& fit);
-    Candidate* serving(Vec3d pointLocal);
+    Candidate* serving(Vec3d pointLocal, double rounding = 0);
     bool keepUnserved();
     void findNeeds();
     void findUnservedRays();

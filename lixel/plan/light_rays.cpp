@@ -8,8 +8,11 @@
 namespace lixel {
 namespace {
 
-// Sets overlap by this part at their common borders, for the rounding of those who ask on which side they are.
-constexpr double kOverlap = 1e-6;
+// What is thinner than this, of angles, is rounding.
+constexpr double kSliver = 1e-12;
+
+// A map has this much room around its rays, of half the fit it was cut from.
+constexpr double kRoom = 1e-6;
 
 // So many convex pieces are worth their time.
 constexpr std::size_t kMostPieces = 256;
@@ -135,7 +138,7 @@ void subtract(std::vector<RayPolygon>& rays, std::span<const Vec3d> insides, std
         for (const Vec3d& inside : insides) {
             if (left.empty()) break;
             if (isAll(left, inside)) continue;
-            const RayPolygon outside = clippedBeyond(left, -1.0 * inside, -kOverlap);
+            const RayPolygon outside = clippedBeyond(left, -1.0 * inside, kSliver);
             if (!outside.empty()) room.push_back(outside);
             left = clipped(left, inside);
         }
@@ -178,9 +181,9 @@ std::optional<Fit> croppedTo(const Fit& fit, const RaySpace& space, std::span<co
     if (scratch.points.empty()) return std::nullopt;
     scratch.hull.resize(scratch.points.size() + 1);
     const std::size_t corners = convexHull(scratch.points, scratch.hull);
-    const double perX = 1 / length(xyz(x)), perY = 1 / length(xyz(y)), least = kOverlap * std::max(perX, perY);
+    const double perX = 1 / length(xyz(x)), perY = 1 / length(xyz(y)), least = kRoom * std::max(perX, perY);
     OrientedRectangle r = minimumAreaRectangle({scratch.hull.data(), corners});
-    r.halfSize = {(1 + kOverlap) * r.halfSize.x + least, (1 + kOverlap) * r.halfSize.y + least};
+    r.halfSize = {(1 + kRoom) * r.halfSize.x + least, (1 + kRoom) * r.halfSize.y + least};
     r = resolved(r, {frame, pointsLocal, pointsLocal});
     if (!(r.area() < 4 * perX * perY)) return fit;
     const auto along = [&](Vec2d axis, double half) {

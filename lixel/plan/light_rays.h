@@ -44,7 +44,7 @@ RayPolygon clipped(const RayPolygon& polygon, Vec3d inside);
 void raysThrough(const FitInput& input, const RaySpace& space, std::span<const Vec3d> pointsLocal,
                  std::vector<RayPolygon>& rays);
 
-// Takes away the rays inside all of some half-spaces, but for a little at their borders. What is left is cut into convex pieces.
+// Takes away the rays inside all of some half-spaces. What is left is cut into convex pieces; pieces that are nothing but rounding go.
 // A set that would be cut into more than a few hundred is left as it was.
 void subtract(std::vector<RayPolygon>& rays, std::span<const Vec3d> insides, std::vector<RayPolygon>& room);
 
