@@ -131,7 +131,8 @@ std::string nameOfPlane(int plane, const ShotContext& context, const FramePlan& 
     const Plane& p = found[std::size_t(plane)].planeLocal;
     const double near = 1e-4 * length(context.shooting.sceneWorld.max - context.shooting.sceneWorld.min);
     for (const NamedPlane& one : named)
-        if (dot(one.normalWorld, p.normal) > 1 - 1e-6 && std::abs(p.signedDistance(one.pointWorld - plan.originWorld)) < near)
+        if (dot(one.normalWorld, p.normal) > 1 - 1e-6 &&
+            std::abs(p.signedDistance(one.pointWorld - plan.originWorld)) < near)
             return one.name;
     return fmt::format("plane {}", plane + 1);
 }
@@ -143,7 +144,8 @@ void addMap(const ShotContext& context, const FramePlan& plan, std::size_t light
     m.lixelsUsed = plan.lixelsOf(light);
     m.bytes = m.lixelsUsed * plan.lookup.bytesPerLixel;
     for (const PlannedRegion& region : plan.lights[light].regions)
-        m.regions.push_back({nameOfPlane(region.plane, context, plan, light), region.rectangle.width(), region.rectangle.height()});
+        m.regions.push_back(
+            {nameOfPlane(region.plane, context, plan, light), region.rectangle.width(), region.rectangle.height()});
     for (const LeftOutPlane& left : plan.lights[light].leftOut)
         m.leftOut.push_back({nameOfPlane(left.plane, context, plan, light), std::string(nameOf(left.why))});
     Density density = densityOf(context, plan.lights[light], light);

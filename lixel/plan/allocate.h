@@ -27,9 +27,9 @@ void sharesByNeed(std::span<double> needs);
 bool cutRectangle(LixelRectangle whole, std::span<const double> shares, std::span<LixelRectangle> pieces);
 
 // The same with pieces shaped for their needs: of all ways to halve along either side, the one with the least predicted error. A
-// piece may be used turned by a right angle: `turned` says so.
+// piece may be used turned by a right angle: `turned` says so. `reach` lixels along each side of a piece are guard band (place.h).
 bool cutRectangleByNeed(LixelRectangle whole, std::span<const double> shares, std::span<const Need> needs,
-                        std::span<LixelRectangle> pieces, std::span<bool> turned);
+                        std::span<LixelRectangle> pieces, std::span<bool> turned, double reach = 0);
 
 // Packs rectangles of given sizes side by side, without turning them, and says how large the whole became: shelves of falling
 // height, about as wide as high.

@@ -68,8 +68,7 @@ bool holdsPoint(const CellPlanes& cell, Vec3d p, double rounding = 0)
 {
     return std::all_of(cell.begin(), cell.end(), [&](const Plane& plane) {
         const Vec3d n = plane.normal;
-        const double terms =
-            std::abs(n.x * p.x) + std::abs(n.y * p.y) + std::abs(n.z * p.z) + std::abs(plane.offset);
+        const double terms = std::abs(n.x * p.x) + std::abs(n.y * p.y) + std::abs(n.z * p.z) + std::abs(plane.offset);
         return plane.signedDistance(p) >= rounding * terms;
     });
 }
@@ -155,7 +154,8 @@ std::optional<FitFailure> LightPlanner::addElseTo(std::optional<FitFailure> refu
     const std::size_t before = candidates_.size();
     std::optional<FitFailure> refusedToo = addAll(otherwise->partition, otherwise->fit);
     const bool isWhole = std::holds_alternative<WholePartition>(otherwise->partition);
-    if (refusedToo == FitFailure::ExtentNotInHemisphere && isWhole) refusedToo = addAll(CubePartition{}, otherwise->fit);
+    if (refusedToo == FitFailure::ExtentNotInHemisphere && isWhole)
+        refusedToo = addAll(CubePartition{}, otherwise->fit);
     // Regions that were there serve what they can, but an else(...) promises the rest.
     if (refusedToo == FitFailure::NothingInView && before > 0) refusedToo.reset();
     return refusedToo;
@@ -332,12 +332,17 @@ bool LightPlanner::sizeAll(const LookupLayout& lookup, std::span<LixelSize> size
     }
     if (left < std::int64_t(shares.size())) return false;
     if (shares.empty()) return true;
+    const std::int64_t all = left;
     sharesByNeed({shares.data(), shares.size()});
     std::size_t next = 0;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         if (candidates_[i].fit.pixels) continue;
-        const int side = std::max(1, int(std::sqrt(shares[next++] * double(left))));
+        // A lixel is kept for each that is still to come.
+        const std::int64_t most = left - std::int64_t(shares.size() - next - 1);
+        const double share = shares[next] * double(all);
+        const int side = std::max(1, int(std::sqrt(std::min(share, double(most)))));
         sizes[i] = {side, side};
+        left -= std::int64_t(side) * side, ++next;
     }
     return true;
 }
@@ -373,10 +378,10 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
         if (!whole) return false;
         sharesByNeed({shares.data(), shares.size()});
         areTurned = known > 0 && std::isfinite(known);
-        const bool isCut = areTurned
-                               ? cutRectangleByNeed(*whole, {shares.data(), shares.size()}, {needs.data(), needs.size()},
-                                                    pieces, {turned.data(), turned.size()})
-                               : cutRectangle(*whole, {shares.data(), shares.size()}, pieces);
+        const bool isCut =
+            areTurned ? cutRectangleByNeed(*whole, {shares.data(), shares.size()}, {needs.data(), needs.size()}, pieces,
+                                           {turned.data(), turned.size()}, lookup.reach)
+                      : cutRectangle(*whole, {shares.data(), shares.size()}, pieces);
         if (!isCut) return false;
         atlas = {std::max(atlas.width, input_.lixels.width), std::max(atlas.height, input_.lixels.height)};
     } else {

@@ -56,10 +56,10 @@ private:
     FitInput fitInput_;
     NeedPredictor predictor_;
     Candidates candidates_;
-    std::size_t number_;                                 // the light's
-    std::optional<std::span<const Vec3d>> triedLocal_;   // what stands for the view samples while plans are only tried
-    std::span<const Vec3d> seenLocal_; // view samples that face the light and are still to be served
-    bool isCropping_ = false;          // what is added now serves scratch.rays only
+    std::size_t number_;                               // the light's
+    std::optional<std::span<const Vec3d>> triedLocal_; // what stands for the view samples while plans are only tried
+    std::span<const Vec3d> seenLocal_;                 // view samples that face the light and are still to be served
+    bool isCropping_ = false;                          // what is added now serves scratch.rays only
 };
 
 } // namespace lixel

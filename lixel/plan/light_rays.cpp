@@ -14,6 +14,9 @@ constexpr double kSliver = 1e-12;
 // A map has this much room around its rays, of half the fit it was cut from.
 constexpr double kRoom = 1e-6;
 
+// Of the directions of rays, and of the sums that their images are.
+constexpr double kDoubleRounding = 16 * 0x1p-53;
+
 // So many convex pieces are worth their time.
 constexpr std::size_t kMostPieces = 256;
 
@@ -169,19 +172,21 @@ std::optional<Fit> croppedTo(const Fit& fit, const RaySpace& space, std::span<co
                                      space.insideOf({xyz(w + y), (w + y).w}), space.insideOf({xyz(w - y), (w - y).w})};
     const LightFrame frame = space.frameOf(fit);
     scratch.points.clear();
+    double rounding = 0; // of rays, in their image
     for (const RayPolygon& polygon : rays) {
         RayPolygon within = polygon;
         for (const Vec3d& side : sides) within = clipped(within, side);
         for (const Vec3d& ray : within) {
             const Vec4d q = frame.framedFromLocal * space.imageOf(ray);
             if (!(q.w > 0)) return fit;
+            rounding = std::max(rounding, kDoubleRounding * length(ray) / q.w);
             scratch.points.push_back({q.x / q.w, q.y / q.w});
         }
     }
     if (scratch.points.empty()) return std::nullopt;
     scratch.hull.resize(scratch.points.size() + 1);
     const std::size_t corners = convexHull(scratch.points, scratch.hull);
-    const double perX = 1 / length(xyz(x)), perY = 1 / length(xyz(y)), least = kRoom * std::max(perX, perY);
+    const double perX = 1 / length(xyz(x)), perY = 1 / length(xyz(y)), least = kRoom * std::max(perX, perY) + rounding;
     OrientedRectangle r = minimumAreaRectangle({scratch.hull.data(), corners});
     r.halfSize = {(1 + kRoom) * r.halfSize.x + least, (1 + kRoom) * r.halfSize.y + least};
     r = resolved(r, {frame, pointsLocal, pointsLocal});

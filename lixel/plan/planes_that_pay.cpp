@@ -27,7 +27,8 @@ void LightPlanner::lookForPlanes(std::vector<FoundPlane>& found)
     std::vector<float>& weights = scratch_.planeWeights;
     points.clear(), normals.clear(), weights.clear();
     PlaneSearch search;
-    if (const Observation* observed = input_.observed; observed && number_ < kObservedLights && !observed->lit.empty()) {
+    if (const Observation* observed = input_.observed;
+        observed && number_ < kObservedLights && !observed->lit.empty()) {
         const ViewSamples& cells = observed->samples;
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const Vec3d p = toDouble(cells.positionLocal[i]) + (cells.originWorld - input_.originWorld);

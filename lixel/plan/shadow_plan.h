@@ -9,8 +9,8 @@
 #include "lixel/plan/allocate.h"
 #include "lixel/plan/fit/fit.h"
 #include "lixel/plan/light_image.h"
-#include "lixel/plan/partition/find_planes.h"
 #include "lixel/plan/lookup/lookup.h"
+#include "lixel/plan/partition/find_planes.h"
 #include "lixel/plan/technique.h"
 #include "lixel/shared/shadow_tables.h"
 
@@ -56,7 +56,8 @@ struct PlanInput
     const Observation* observed = nullptr;
     // Spent of each light's lixels before this plan, on the first pass that observed.
     std::int64_t lixelsSpent = 0;
-    std::span<const Plane> planesBeforeLocal = {}; // that planes(auto) found for the last frame: they keep their very places
+    std::span<const Plane> planesBeforeLocal =
+        {}; // that planes(auto) found for the last frame: they keep their very places
 };
 
 // One map: a region's projection and its place.
@@ -77,7 +78,7 @@ struct ShadowPlan
     std::optional<FitFailure> refused;
 
     std::vector<FoundPlane> foundPlanes; // by planes(auto), heaviest first; those with regions are the ones that pay
-    std::vector<LeftOutPlane> leftOut; // an else(...) serves what is seen of them; `plane` as in PlannedRegion
+    std::vector<LeftOutPlane> leftOut;   // an else(...) serves what is seen of them; `plane` as in PlannedRegion
 };
 
 // Layout (known before the frame is drawn) and tables (what shaders read).

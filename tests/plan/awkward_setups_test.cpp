@@ -18,9 +18,6 @@ using test::Rng;
 
 constexpr LixelSize kBudgets[] = {{512, 384}, {16, 16}, {512, 1}, {1, 512}, {2, 7}, {3, 3}, {1, 1}};
 
-// As far as a narrow rectangle has room for the reach; less a tenth of a lixel for the rounding of a map as narrow as they get.
-double reachIn(int lixels, double reach) { return std::min(reach, 0.5 * lixels - 0.5) - 0.1; }
-
 void expectFinite(const FramePlan& plan)
 {
     for (const shared::ShadowRegion& region : plan.regionTable)
@@ -40,7 +37,7 @@ void expectServed(const FramePlan& plan, const RandomSetup& setup, std::span<con
         if (!isRoomy || !test::isMadeFor(*region, plan.lights[0], planes, setup, toDouble(samples.positionLocal[i])))
             continue;
         const LixelRectangle& r = region->rectangle;
-        const double x = reachIn(r.width(), plan.lookup.reach), y = reachIn(r.height(), plan.lookup.reach);
+        const double x = test::reachIn(r.width(), plan.lookup.reach), y = test::reachIn(r.height(), plan.lookup.reach);
         EXPECT_GE(receiver.lixel.x, r.x0 + x);
         EXPECT_LE(receiver.lixel.x, r.x1 - x);
         EXPECT_GE(receiver.lixel.y, r.y0 + y);
@@ -72,7 +69,8 @@ TEST_P(Awkward, SetupsHaveFinitePlansThatServeEveryReceiverOrAreRefusedByName)
         const FramePlan plan = planShadows(input);
         EXPECT_LE(plan.lixelsOf(0), std::int64_t(budget.width) * budget.height);
         expectFinite(plan);
-        if (!plan.lights[0].refused) expectServed(plan, setup, planed.planes, samples, budget.width * budget.height >= 256);
+        if (!plan.lights[0].refused)
+            expectServed(plan, setup, planed.planes, samples, budget.width * budget.height >= 256);
         else if (samples.size() > 0) {
             EXPECT_NE(*plan.lights[0].refused, FitFailure::NothingInView);
         }
