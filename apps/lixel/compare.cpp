@@ -88,18 +88,6 @@ void printSummary(const RunResults& results, bool isPath, std::FILE* to)
     }
 }
 
-// The folder of the report and what it will hold, asked for before the work begins.
-struct ReportFolder
-{
-    ReportFolder(const std::filesystem::path& path, bool withPictures) : folder(path)
-    {
-        if (withPictures) pictures.emplace(path / "pictures");
-        for (const char* name : {"results.json", "report.html"}) expectWritable(path / name);
-    }
-    OutputFolder folder;
-    std::optional<OutputFolder> pictures;
-};
-
 std::vector<ResultRow> compareAll(const Shooting& shooting, std::span<const std::unique_ptr<Executor>> executors,
                                   const ComparisonOptions& options)
 {

@@ -5,6 +5,7 @@
 #include "lixel/report/false_colour.h"
 #include "lixel/report/png.h"
 #include "lixel/trace/exact_visibility.h"
+#include "plane_errors.h"
 #include "shadows.h"
 #include "text.h"
 
@@ -81,7 +82,8 @@ Measurement measured(const ShotContext& context, std::size_t light, const Visibi
     const std::vector<ZoneScore> onPlanes = scoreOfPlanes(
         context.truth.plane, planes.size(), context.truth.zones[light], visibility.value, context.truth.exact[light]);
     for (std::size_t i = 0; i < onPlanes.size(); ++i)
-        m.planes.push_back({i < planes.size() ? planes[i].name : "", {onPlanes[i].samples, onPlanes[i].misclassified}});
+        m.planes.push_back(
+            {i < planes.size() ? planes[i].name : "", {onPlanes[i].samples, onPlanes[i].misclassified}, {}});
     return m;
 }
 
@@ -137,6 +139,19 @@ std::string nameOfPlane(int plane, const ShotContext& context, const FramePlan& 
     return fmt::format("plane {}", plane + 1);
 }
 
+// Why samples on planes with a lixel a pixel are wrong, where some are.
+void addCauses(const ShotContext& context, const FramePlan& plan, std::size_t light, const Visibility& visibility,
+               Measurement& m)
+{
+    std::vector<Verdict> verdict(context.samples.size());
+    for (std::size_t i = 0; i < verdict.size(); ++i)
+        verdict[i] = verdictOf(context.truth.zones[light][i], visibility.value[i], context.truth.exact[light][i]);
+    const auto causes = causesOfPlaneErrors({*context.stage.traced, plan, light, context.shot.lights[light],
+                                             context.samples, context.truth.plane, verdict, context.truth.exact[light]},
+                                            context.shooting.planes.size());
+    for (std::size_t i = 0; i < causes.size(); ++i) m.planes[i].causes = causes[i];
+}
+
 // What the map of a light costs, and how its lixels lie on the picture.
 void addMap(const ShotContext& context, const FramePlan& plan, std::size_t light, const PictureWriter& pictures,
             const std::string& lightName, Measurement& m)
@@ -179,6 +194,7 @@ std::vector<ResultRow> rowsOf(const ShotContext& context, Executor& executor, co
             continue;
         }
         Measurement m = measured(context, light, visibility[light]);
+        if (plan) addCauses(context, *plan, light, visibility[light], m);
         m.timing = timing;
         m.pictures.shaded = shaded;
         const std::string lightName = fmt::format("{}-{}", light, slug(row.light));
@@ -252,6 +268,18 @@ Truth findTruth(const Stage& stage, const ViewSamples& samples, std::span<const 
     return truth;
 }
 
+std::vector<ResultRow> compareTechniques(const ShotContext& context,
+                                         std::span<const std::unique_ptr<Executor>> executors,
+                                         const std::function<void(std::string_view)>& onStep)
+{
+    std::vector<ResultRow> all;
+    for (const TechniqueChoice& choice : context.options.techniques) {
+        std::vector<ResultRow> rows = rowsOfAll(context, executors, choice, onStep);
+        all.insert(all.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
+    }
+    return all;
+}
+
 int stepsPerShot(std::size_t executors, const ComparisonOptions& options)
 {
     return 2 + int(options.techniques.size() * executors);
@@ -266,14 +294,7 @@ std::vector<ResultRow> compareShot(const Shooting& shooting, const Shot& shot, c
     const ViewSamples samples = executors.front()->viewSamples(stage, view);
     onStep(shot.name + ": exact visibility");
     const Truth truth = findTruth(stage, samples, shot.lights, shooting.planes);
-    const ShotContext context{shooting, shot, stage, view, samples, truth, options};
-
-    std::vector<ResultRow> all;
-    for (const TechniqueChoice& choice : options.techniques) {
-        std::vector<ResultRow> rows = rowsOfAll(context, executors, choice, onStep);
-        all.insert(all.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
-    }
-    return all;
+    return compareTechniques({shooting, shot, stage, view, samples, truth, options}, executors, onStep);
 }
 
 } // namespace lixel::app

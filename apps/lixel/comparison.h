@@ -42,7 +42,7 @@ std::vector<ResultRow> compareShot(const Shooting& shooting, const Shot& shot, c
                                    const ComparisonOptions& options,
                                    const std::function<void(std::string_view)>& onStep);
 
-// Steps that compareShot() reports.
+// Steps that compareShot() reports; without the two before the techniques, those that compareTechniques() does.
 int stepsPerShot(std::size_t executors, const ComparisonOptions& options);
 
 // ---- what compareShot() is made of, for those who compare many frames
@@ -58,6 +58,11 @@ struct ShotContext
     const Truth& truth;
     const ComparisonOptions& options;
 };
+
+// What compareShot() says, of samples that are known: for those who ask about them more than once.
+std::vector<ResultRow> compareTechniques(const ShotContext& context,
+                                         std::span<const std::unique_ptr<Executor>> executors,
+                                         const std::function<void(std::string_view)>& onStep);
 
 // A row without outcome.
 ResultRow keyOf(const ShotContext& context, const TechniqueChoice& choice, std::size_t light,

@@ -4,6 +4,7 @@
 #include "lixel/report/reproduction.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -14,9 +15,10 @@ struct ExperimentOptions
     bool isQuick = false;
     std::uint64_t seed = 2007;
     std::string executor = "gl";
+    std::filesystem::path pictures; // folder for PNGs; empty: none
 };
 
-// One experiment of a paper. Its run gives parameters, numbers and rows; name, paper and question are filled in from here.
+// One experiment of a paper. Its run gives parameters, numbers, figures and rows; name, paper and question are filled in from here.
 struct Experiment
 {
     std::string name, paper, question;
@@ -27,5 +29,6 @@ std::span<const Experiment> experiments();
 
 // Their runs, one file each.
 Reproduction reproduceNormalAgainstFocused(const ExperimentOptions& options);
+Reproduction reproduceLixelFig7(const ExperimentOptions& options);
 
 } // namespace lixel::app

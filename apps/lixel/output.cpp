@@ -42,6 +42,12 @@ OutputFolder::~OutputFolder()
     for (const fs::path& folder : made_) fs::remove(folder, stays);
 }
 
+ReportFolder::ReportFolder(const std::filesystem::path& path, bool withPictures) : folder(path)
+{
+    if (withPictures) pictures.emplace(path / "pictures");
+    for (const char* name : {"results.json", "report.html"}) expectWritable(path / name);
+}
+
 void writeOrPrint(const fs::path& path, std::string_view bytes)
 {
     if (path != "-") return writeFileAtomically(path, bytes);

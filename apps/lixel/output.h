@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,14 @@ public:
 private:
     std::filesystem::path path_;
     std::vector<std::filesystem::path> made_; // from the innermost
+};
+
+// The folder of the report and what it will hold, asked for before the work begins.
+struct ReportFolder
+{
+    ReportFolder(const std::filesystem::path& path, bool withPictures); // throws OutputError
+    OutputFolder folder;
+    std::optional<OutputFolder> pictures;
 };
 
 // To a file, whole or not at all, or to standard output for "-". Throws OutputError.

@@ -63,7 +63,8 @@ public:
           options_(options),
           onStep_(onStep),
           lights_(path.frames.front().shot.lights.size()),
-          rows_(options.techniques.size() * executors.size() * lights_)
+          rows_(options.techniques.size() * executors.size() * lights_),
+          memories_(options.techniques.size())
     {
     }
 
@@ -101,6 +102,7 @@ private:
     const std::function<void(std::string_view)>& onStep_;
     std::size_t lights_;
     std::vector<PathRow> rows_;
+    std::vector<PlanMemory> memories_; // [technique]
     std::optional<Moment> before_;
 };
 
@@ -180,7 +182,7 @@ void PathComparison::addTechnique(const ShotContext& context, std::size_t techni
 {
     const TechniqueChoice& choice = options_.techniques[technique];
     const PlanSubject subject{*now.stage, now.view, context.shot.lights, context.shooting.planes, now.samples};
-    const auto plan = planFor(choice, subject, options_.lixels, *executors_.front());
+    const auto plan = planFor(choice, subject, options_.lixels, *executors_.front(), memories_[technique]);
     const FramePlan* const planOrNull = plan ? &*plan : nullptr;
     std::vector<Said> said;
     for (std::size_t e = 0; e < executors_.size(); ++e) {
@@ -196,6 +198,7 @@ void PathComparison::addTechnique(const ShotContext& context, std::size_t techni
         if (number == path_.frames.size() / 2)
             addPictures(technique, e, rowsOf(context, executor, choice, said[e].ofSamples, planOrNull));
     }
+    if (plan) memories_[technique] = memoryOf(choice, subject, *plan, said.front().ofSamples);
     for (std::size_t light = 0; light < lights_ && said.size() == 2; ++light) {
         if (plan && plan->lights[light].refused) continue;
         const ExecutorAgreement counts = agreement(now.truth.zones[light], said[0].ofSamples[light],

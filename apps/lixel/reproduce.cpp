@@ -2,12 +2,15 @@
 #include "commands.h"
 #include "exit_code.h"
 #include "experiment.h"
+#include "lixel/report/html.h"
+#include "lixel/report/write_file.h"
 #include "option_checks.h"
 #include "output.h"
 #include "run_results.h"
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,7 +21,7 @@ namespace {
 
 struct ReproduceOptions
 {
-    std::string name, json;
+    std::string name, json, output;
     ExperimentOptions experiment;
 };
 
@@ -32,10 +35,11 @@ void printNumbers(const Reproduction& reproduction, std::FILE* to)
 {
     fmt::print(to, "{}: {}\n{}\n", reproduction.name, reproduction.question, reproduction.paper);
     for (const auto& [name, value] : reproduction.parameters) fmt::print(to, "  {} = {}\n", name, value);
-    fmt::print(to, "{:<52} {:>12} {:>12}  {}\n", "", "ours", "paper", "");
-    for (const ReproducedNumber& n : reproduction.numbers)
-        fmt::print(to, "{:<52} {:>12.4f} {:>12}  {}\n", n.key, n.ours,
-                   n.papers ? fmt::format("{:.4f}", *n.papers) : "-", n.source);
+    fmt::print(to, "{:<58} {:>12} {:>12}  {}\n", "", "ours", "paper", "");
+    for (const auto* numbers : {&reproduction.numbers, &reproduction.timingNumbers})
+        for (const ReproducedNumber& n : *numbers)
+            fmt::print(to, "{:<58} {:>12.4f} {:>12}  {}\n", n.key, n.ours,
+                       n.papers ? fmt::format("{:.4f}", *n.papers) : "-", n.source);
 }
 
 int runReproduce(const ReproduceOptions& options, const std::string& commandLine)
@@ -46,17 +50,29 @@ int runReproduce(const ReproduceOptions& options, const std::string& commandLine
     }
     for (const Experiment& experiment : experiments()) {
         if (experiment.name != options.name) continue;
+        if (options.output == "-") throw UsageError("reproduce -o -: expected the name of a folder");
+        ExperimentOptions asked = options.experiment;
+        asked.pictures = options.output;
+        std::optional<ReportFolder> report;
+        if (!options.output.empty()) report.emplace(options.output, true);
         if (!options.json.empty()) expectWritable(options.json);
         const Stopwatch total;
-        Reproduction reproduction = experiment.run(options.experiment);
+        Reproduction reproduction = experiment.run(asked);
         reproduction.name = experiment.name;
         reproduction.paper = experiment.paper;
         reproduction.question = experiment.question;
         reproduction.isQuick = options.experiment.isQuick;
         reproduction.run.seed = options.experiment.seed;
         finishResults(reproduction.run, commandLine, total.seconds(), reproduction.run.timing.host);
-        if (!options.json.empty()) writeOrPrint(options.json, toJson(reproduction));
-        printNumbers(reproduction, options.json == "-" ? stderr : stdout);
+        const std::string json = toJson(reproduction);
+        if (!options.json.empty()) writeOrPrint(options.json, json);
+        std::FILE* const told = options.json == "-" ? stderr : stdout;
+        if (report) {
+            writeFileAtomically(asked.pictures / "results.json", json);
+            writeReport(asked.pictures, reproduction);
+        }
+        printNumbers(reproduction, told);
+        if (report) fmt::print(told, "report: {}\n", (asked.pictures / "report.html").string());
         return kDone;
     }
     std::string known;
@@ -77,6 +93,7 @@ Command addReproduce(CLI::App& parent, const std::string& commandLine)
     app->add_option("--executor", o->experiment.executor, "gl or trace")
         ->check(CLI::IsMember({"gl", "trace"}))
         ->capture_default_str();
+    app->add_option("-o,--output", o->output, "folder for results.json, report.html and the pictures of figures");
     app->add_option("--json", o->json, "numbers and rows as JSON to this file, or - for standard output");
     return {app, [o, commandLine] { return runReproduce(*o, commandLine); }};
 }

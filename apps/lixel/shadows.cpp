@@ -59,7 +59,7 @@ void expectPlanes(std::span<const TechniqueChoice> techniques, const Shooting& s
 }
 
 std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubject& subject, const LixelBudget& lixels,
-                                 Executor& executor)
+                                 Executor& executor, const PlanMemory& memory)
 {
     const auto* map = std::get_if<MapTechnique>(&choice.technique);
     if (!map) return std::nullopt;
@@ -72,7 +72,9 @@ std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubjec
     input.lixelsOfRegions = lixels.ofRegions;
     input.given = choice.given;
     const auto first = firstPassOf(*map, lixels.total);
-    if (!first) return planShadows(input);
+    input.planesBefore = memory.planes;
+    if (first && memory.observed) input.observed = &*memory.observed;
+    if (!first || memory.observed) return planShadows(input);
 
     PlanInput firstInput = input;
     firstInput.technique = first->technique;
@@ -85,6 +87,18 @@ std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubjec
     input.observed = &observed;
     input.lixelsSpent = std::int64_t(first->lixels.width) * first->lixels.height;
     return planShadows(input);
+}
+
+PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, const FramePlan& plan,
+                    std::span<const Visibility> visibility)
+{
+    const auto* map = std::get_if<MapTechnique>(&choice.technique);
+    if (!map || !firstPassOf(*map, {1, 1})) return {};
+    std::vector<Visibility> all(visibility.begin(), visibility.end());
+    for (Visibility& light : all) light.value.resize(subject.seen.size(), 0.0f);
+    PlanMemory memory{rememberedPlanes(plan), observe(subject.seen, subject.view, subject.lights, all)};
+    memory.observed->ageFrames = 1;
+    return memory;
 }
 
 std::vector<Visibility> visibilityByRays(const Technique& technique, const Stage& stage, const View& view,

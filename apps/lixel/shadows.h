@@ -38,10 +38,21 @@ struct PlanSubject
     const ViewSamples& seen; // what the view sees
 };
 
-// The plan of a technique with a map, for all lights; nothing for the others. The executor runs the first pass of techniques that
-// have one.
+// What the frames of a path hand on, of one technique.
+struct PlanMemory
+{
+    std::vector<std::vector<RememberedPlane>> planes;
+    std::optional<Observation> observed; // of the frame before; nothing at the start
+};
+
+// The plan of a technique with a map, for all lights; nothing for the others. Where memory has nothing observed, the executor runs the
+// first pass of techniques that have one.
 std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubject& subject, const LixelBudget& lixels,
-                                 Executor& executor);
+                                 Executor& executor, const PlanMemory& memory = {});
+
+// What the next frame may know of this one.
+PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, const FramePlan& plan,
+                    std::span<const Visibility> visibility);
 
 // What a technique without a map says, one a light. It is the same for all executors.
 std::vector<Visibility> visibilityByRays(const Technique& technique, const Stage& stage, const View& view,

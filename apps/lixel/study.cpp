@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -25,6 +26,11 @@ int runStudy(const std::string& name, const StudyOptions& options)
     std::string known;
     for (const Study& study : studies()) {
         if (study.name == name) {
+            if (!options.output.empty() && !study.hasReport)
+                throw UsageError(fmt::format("study {} -o: it has no report, --json tells what it finds", name));
+            if (options.output == "-") throw UsageError("study -o -: expected the name of a folder");
+            std::optional<ReportFolder> report;
+            if (!options.output.empty()) report.emplace(options.output, false);
             if (!options.json.empty()) expectWritable(options.json);
             return study.run(options);
         }
@@ -37,10 +43,13 @@ int runStudy(const std::string& name, const StudyOptions& options)
 
 std::span<const Study> studies()
 {
-    static const std::array<Study, 1> kAll{{
+    static const std::array<Study, 2> kAll{{
         {"one-to-one",
          "How far from the pixel that sees a point of the plane is the lixel that samples it, in plane-optimal maps?",
-         studyOneToOne},
+         false, studyOneToOne},
+        {"plane-budget",
+         "How does error fall with the lixels of maps for planes, on planes and off them, and where is there none?",
+         true, studyPlaneBudget},
     }};
     return kAll;
 }
@@ -53,10 +62,12 @@ Command addStudy(CLI::App& parent, const std::string& commandLine)
     CLI::App* app = parent.add_subcommand("study", "questions about the techniques; without a name, the list of them");
     app->add_option("NAME", *name, "which");
     app->add_option("--count", o->count, "how many cases")->check(CLI::Range(1, 100000000));
+    app->add_flag("--quick", o->isQuick, "fewer cases, the same question");
     app->add_option("--seed", o->seed, "of everything random")->check(wholeNumber())->capture_default_str();
     app->add_option("--executor", o->executor, "gl or trace")
         ->check(CLI::IsMember({"gl", "trace"}))
         ->capture_default_str();
+    app->add_option("-o,--output", o->output, "folder for results.json and report.html");
     app->add_option("--json", o->json, "what was found as JSON to this file, or - for standard output");
     return {app, [name, o] { return runStudy(*name, *o); }};
 }

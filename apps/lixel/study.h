@@ -9,10 +9,12 @@ namespace lixel::app {
 
 struct StudyOptions
 {
-    int count = 0; // of cases; 0: the study's own
+    int count = 0;        // of cases; 0: the study's own
+    bool isQuick = false; // fewer cases, the same question
     std::uint64_t seed = 2004;
     std::string executor = "gl";
     std::string json;        // where to, or empty
+    std::string output;      // folder for results.json and report.html, or empty
     std::string commandLine; // repeats the run
 };
 
@@ -21,6 +23,7 @@ struct StudyOptions
 struct Study
 {
     std::string name, question;
+    bool hasReport = false; // goes into StudyOptions::output
     int (*run)(const StudyOptions& options);
 };
 
@@ -28,5 +31,6 @@ std::span<const Study> studies();
 
 // Their runs, one file each.
 int studyOneToOne(const StudyOptions& options);
+int studyPlaneBudget(const StudyOptions& options);
 
 } // namespace lixel::app

@@ -65,4 +65,18 @@ std::vector<ZoneScore> scoreOfPlanes(std::span<const int> planeOf, std::size_t p
     return out;
 }
 
+PlaneErrorCause causeOfPlaneError(float exact, std::span<const float> exactBeside, bool isNearCaster)
+{
+    const auto isOther = [&](float beside) { return (beside >= 0.5f) != (exact >= 0.5f); };
+    if (std::any_of(exactBeside.begin(), exactBeside.end(), isOther)) return PlaneErrorCause::NearEdge;
+    return exact < 0.5f && isNearCaster ? PlaneErrorCause::NearCaster : PlaneErrorCause::Unexplained;
+}
+
+void PlaneErrorCauses::add(PlaneErrorCause cause)
+{
+    nearEdge += cause == PlaneErrorCause::NearEdge;
+    nearCaster += cause == PlaneErrorCause::NearCaster;
+    unexplained += cause == PlaneErrorCause::Unexplained;
+}
+
 } // namespace lixel

@@ -116,8 +116,8 @@ LightPlanner::LightPlanner(const PlanInput& input, std::size_t number, const Box
     const Light& light = input.lights[number];
     gatherSeen(input, light, scratch);
     seenLocal_ = scratch.seenLocal;
-    gatherNeedSamples({input.observed, number, scratch.seenLocal, scratch.seenNormal}, light, input.originWorld,
-                      scratch.need);
+    gatherNeedSamples({input.observed, number, scratch.seenLocal, scratch.seenNormal, &input.view}, light,
+                      input.originWorld, scratch.need);
 }
 
 std::optional<FitFailure> LightPlanner::choose(ShadowPlan& out)
@@ -247,6 +247,23 @@ void LightPlanner::findUnservedRays()
     isCropping_ = takeAwayServed(space);
 }
 
+Plane LightPlanner::turnedToLight(const Plane& plane) const
+{
+    const Light& light = fitInput_.light;
+    const double ofLight = light.kind == LightKind::Directional
+                               ? -dot(plane.normal, light.directionWorld)
+                               : plane.signedDistance(light.positionWorld - input_.originWorld);
+    return ofLight < 0 ? Plane{-plane.normal, -plane.offset} : plane;
+}
+
+// Whether no receiver that may be asked for is outside.
+bool LightPlanner::holdsAllSeen(const Plane& plane) const
+{
+    return input_.seen && input_.seenIsAll &&
+           std::all_of(scratch_.seenLocal.begin(), scratch_.seenLocal.end(),
+                       [&](Vec3d p) { return plane.signedDistance(p) >= 0; });
+}
+
 // False where some region is no set of rays.
 bool LightPlanner::takeAwayServed(const RaySpace& space)
 {
@@ -256,7 +273,10 @@ bool LightPlanner::takeAwayServed(const RaySpace& space)
         FixedVector<Vec3d, 2 * CellPlanes::capacity()> insides;
         for (const CellPlanes* planes : {&candidate.ownLocal, &candidate.fit.holdsLocal})
             for (const Plane& plane : *planes) {
-                if (!space.holdsLight(plane, sceneSize)) return false;
+                if (!space.holdsLight(plane, sceneSize)) {
+                    if (!holdsAllSeen(plane)) return false;
+                    continue;
+                }
                 insides.push_back(space.insideOf(plane));
             }
         subtract(scratch_.rays, {insides.data(), insides.size()}, scratch_.raysRoom);
@@ -297,7 +317,8 @@ std::optional<FitFailure> LightPlanner::add(const Cell& cell, const FitChoice& f
     std::optional<Fit> chosen = *result;
     if (isCropping_) chosen = cropped(*result, cell);
     if (!chosen) return FitFailure::NothingInView;
-    Candidate candidate{*chosen, cell.ownLocal, cell.servesLocal, cell.planeNumber, {}};
+    Candidate candidate{*chosen, cell.ownLocal, cell.servesLocal, cell.planeNumber, {}, {}};
+    if (chosen->pixels && cell.plane) candidate.pixelPlaneLocal = turnedToLight(cell.plane->planeLocal);
     if (chosen->narrowedToLocal) candidate.halfSpacesLocal.push_back(*chosen->narrowedToLocal);
     candidates_.push_back(candidate);
     return std::nullopt;
@@ -393,7 +414,7 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
                                  areTurned ? std::optional(turned[i]) : std::nullopt),
                            pieces[i], candidates_[i].halfSpacesLocal, candidates_[i].plane,
                            needsDouble(candidates_[i].fit, pieces[i].width(), pieces[i].height()),
-                           candidates_[i].fit.pixels});
+                           candidates_[i].fit.pixels, candidates_[i].pixelPlaneLocal});
     return true;
 }
 

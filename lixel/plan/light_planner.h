@@ -32,12 +32,14 @@ private:
         CellPlanes ownLocal, halfSpacesLocal; // its own rays; asked of receivers
         int plane = -1;
         Need need;
+        std::optional<Plane> pixelPlaneLocal; // of a map with a lixel a pixel
     };
     using Candidates = FixedVector<Candidate, 2 * kMostCells>;
 
     std::optional<FitFailure> tryPlanes(const InterestPlanes& planes, Twist twist, std::vector<LeftOutPlane>& leftOut);
     void lookForPlanes(std::vector<FoundPlane>& found);
     InterestPlanes planesThatPay(std::span<const FoundPlane> found, Twist twist);
+    bool hadRegion(const FoundPlane& plane) const;
     double predictedError();
     std::optional<FitFailure> addElseTo(std::optional<FitFailure> refused);
     std::optional<FitFailure> addAll(const Partition& partition, const FitChoice& fit);
@@ -46,6 +48,8 @@ private:
     bool keepUnserved();
     void findNeeds();
     void findUnservedRays();
+    Plane turnedToLight(const Plane& plane) const;
+    bool holdsAllSeen(const Plane& plane) const;
     bool takeAwayServed(const RaySpace& space);
     std::optional<Fit> cropped(const Fit& fit, const Cell& cell);
     std::optional<LixelRectangle> leftOfBudget(int layer) const;

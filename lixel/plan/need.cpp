@@ -65,9 +65,18 @@ void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d origi
     const Vec3d toLocal = cells.originWorld - originWorld;
     const auto at = [&](std::size_t i) { return toDouble(cells.positionLocal[i]) + toLocal; };
     const auto normal = [&](std::size_t i) { return toDouble(cells.normal[i]); };
-    const auto isFacing = [&](std::size_t i) { return isLightFacing(light, originWorld, at(i), normal(i)); };
+    const bool isOfEarlier = observed->ageFrames > 0 && source.view;
+    const Mat4d clip = isOfEarlier ? clipFromLocal(*source.view, originWorld) : Mat4d{};
+    const auto isInView = [&](std::size_t i) {
+        if (!isOfEarlier) return true;
+        const Vec4d c = clip * point(at(i));
+        return c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w;
+    };
+    const auto isFacing = [&](std::size_t i) {
+        return isInView(i) && isLightFacing(light, originWorld, at(i), normal(i));
+    };
     const std::uint32_t bit = std::uint32_t{1} << source.lightNumber;
-    const auto isAtBoundary = [&](std::size_t i) { return (observed->atBoundary[i] & bit) != 0; };
+    const auto isAtBoundary = [&](std::size_t i) { return (observed->atBoundary[i] & bit) != 0 && isInView(i); };
 
     takeEvenly(
         cells.size(), kMostAtBoundaries, isAtBoundary,

@@ -17,6 +17,7 @@ struct NeedSource
     const Observation* observed = nullptr; // where shadows end; nothing: unknown
     std::size_t lightNumber = 0;           // in the observation
     std::span<const Vec3d> seenLocal, seenNormal;
+    const View* view = nullptr; // samples of an earlier frame count where this one sees them
 };
 
 // A few hundred of them: of an observation all at shadow boundaries, as far as there is room, and some others at a five hundredth

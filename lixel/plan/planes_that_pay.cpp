@@ -42,7 +42,11 @@ void LightPlanner::lookForPlanes(std::vector<FoundPlane>& found)
         search.pointsLocal = scratch_.seenLocal, search.normals = scratch_.seenNormal;
     }
     search.pixelSize = pixelSizeLocal(input_.view, input_.originWorld);
-    search.earlierLocal = input_.planesBeforeLocal;
+    scratch_.earlierPlanes.clear();
+    if (number_ < input_.planesBefore.size())
+        for (const RememberedPlane& plane : input_.planesBefore[number_])
+            scratch_.earlierPlanes.push_back(plane.planeLocal);
+    search.earlierLocal = scratch_.earlierPlanes;
     FoundPlanes planes;
     findPlanes(search, scratch_.planes, planes);
     found.assign(planes.begin(), planes.end());
@@ -60,18 +64,16 @@ InterestPlanes LightPlanner::planesThatPay(std::span<const FoundPlane> found, Tw
     tryPlanes(chosen, twist, scratch_.leftOut);
     double least = predictedError();
     while (chosen.size() < chosen.capacity()) {
-        double best = kGainOfRegion * least;
+        double best = least, bestWeighed = least;
         std::optional<InterestPlanes> better;
-        const auto consider = [&](const InterestPlanes& planes) {
-            if (tryPlanes(planes, twist, scratch_.leftOut)) return;
-            if (const double error = predictedError(); error < best) best = error, better = planes;
-        };
         for (std::size_t i = 0; i < std::min(found.size(), kMostTried); ++i) {
             const auto isThis = [&](const InterestPlane& p) { return p.number == int(i); };
             if (std::any_of(chosen.begin(), chosen.end(), isThis)) continue;
             InterestPlanes with = chosen;
             with.push_back({found[i].planeLocal, {}, int(i)});
-            consider(with);
+            if (tryPlanes(with, twist, scratch_.leftOut)) continue;
+            const double error = predictedError(), weighed = hadRegion(found[i]) ? error : error / kGainOfRegion;
+            if (weighed < bestWeighed) best = error, bestWeighed = weighed, better = with;
         }
         if (!better) break;
         chosen = *better;
@@ -79,6 +81,17 @@ InterestPlanes LightPlanner::planesThatPay(std::span<const FoundPlane> found, Tw
     }
     triedLocal_.reset();
     return chosen;
+}
+
+// In the last frame: such a plane stays without a gain, so that planes do not come and go.
+bool LightPlanner::hadRegion(const FoundPlane& plane) const
+{
+    if (number_ >= input_.planesBefore.size()) return false;
+    const std::vector<RememberedPlane>& before = input_.planesBefore[number_];
+    return std::any_of(before.begin(), before.end(), [&](const RememberedPlane& one) {
+        return one.hadRegion && one.planeLocal.normal == plane.planeLocal.normal &&
+               one.planeLocal.offset == plane.planeLocal.offset;
+    });
 }
 
 // Of the candidates at the best shares and aspects, for one lixel in all.

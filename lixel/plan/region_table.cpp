@@ -4,6 +4,22 @@
 #include "lixel/plan/clip_convention.h"
 
 namespace lixel {
+namespace {
+
+// What lookups of points on a plane go by (ShadowRegion::plane): row z is a combination of rows x, y, w and the plane's own.
+void addPlane(const Plane& plane, const PlannedRegion& region, shared::ShadowRegion& row)
+{
+    const Mat4d clip = toHost(region.lightClipFromLocal, kExecutorConvention);
+    const Vec4d own{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
+    const auto fromRows = inverse(Mat4d::fromRows(clip.row(0), clip.row(1), own, clip.row(3)));
+    if (!fromRows) return;
+    const Vec4d c = transpose(*fromRows) * clip.row(2);
+    const double perX = 2.0 / region.rectangle.width(), perY = 2.0 / region.rectangle.height();
+    row.plane = {float(own.x), float(own.y), float(own.z), float(own.w)};
+    row.planeDepth = {float(c.w), float(perX * c.x), float(perY * c.y), float(c.z)};
+}
+
+} // namespace
 
 shared::ShadowRegion tableRow(const PlannedRegion& region)
 {
@@ -19,6 +35,7 @@ shared::ShadowRegion tableRow(const PlannedRegion& region)
                         float(r.y0) + 0.5f * float(r.height())};
     row.rectangle = {float(r.x0), float(r.y0), float(r.x1), float(r.y1)};
     row.place = {float(r.layer), 0, 0, region.isInDouble ? 1.0f : 0.0f};
+    if (region.pixelPlaneLocal) addPlane(*region.pixelPlaneLocal, region, row);
     return row;
 }
 

@@ -74,6 +74,19 @@ shared::mat4 toShared(const Mat4d& matrix)
     return out;
 }
 
+std::vector<std::vector<RememberedPlane>> rememberedPlanes(const FramePlan& plan)
+{
+    std::vector<std::vector<RememberedPlane>> out(plan.lights.size());
+    for (std::size_t light = 0; light < out.size(); ++light)
+        for (std::size_t i = 0; i < plan.lights[light].foundPlanes.size(); ++i) {
+            const auto& regions = plan.lights[light].regions;
+            const bool hadRegion = std::any_of(regions.begin(), regions.end(),
+                                               [&](const PlannedRegion& region) { return region.plane == int(i); });
+            out[light].push_back({plan.lights[light].foundPlanes[i].planeLocal, hadRegion});
+        }
+    return out;
+}
+
 std::optional<FirstPass> firstPassOf(const MapTechnique& technique, LixelSize lixels)
 {
     const auto* planes = std::get_if<PlanesPartition>(&technique.partition);

@@ -35,6 +35,12 @@ struct GivenLight
     std::vector<GivenRegion> regions;
 };
 
+struct RememberedPlane
+{
+    Plane planeLocal;
+    bool hadRegion = false;
+};
+
 struct PlanInput
 {
     View view;
@@ -56,8 +62,9 @@ struct PlanInput
     const Observation* observed = nullptr;
     // Spent of each light's lixels before this plan, on the first pass that observed.
     std::int64_t lixelsSpent = 0;
-    std::span<const Plane> planesBeforeLocal =
-        {}; // that planes(auto) found for the last frame: they keep their very places
+    // What planes(auto) found for the last frame, an entry a light (rememberedPlanes): planes keep their very places, and those that
+    // had maps keep them as long as they do not cost.
+    std::span<const std::vector<RememberedPlane>> planesBefore = {};
 };
 
 // One map: a region's projection and its place.
@@ -69,6 +76,7 @@ struct PlannedRegion
     int plane = -1;                  // of a plane's region: which of PlanInput::planes, or of planes(auto) those found
     bool isInDouble = false;         // floats of the matrix would move its lixels visibly
     std::optional<PixelRectangle> pixels = {}; // of a map with a lixel a pixel: those, its guard band not among them
+    std::optional<Plane> pixelPlaneLocal = {}; // of such a map: the plane, its unit normal towards the light
 };
 
 // What was decided for one light.
@@ -97,6 +105,9 @@ struct FramePlan
 
     std::int64_t lixelsOf(std::size_t light) const; // every lixel allocated for it
 };
+
+// For the plan of the next frame, whose origin must be the same.
+std::vector<std::vector<RememberedPlane>> rememberedPlanes(const FramePlan& plan);
 
 // What a technique wants drawn and observed before its plan, where no earlier frame tells where shadows end.
 struct FirstPass

@@ -145,22 +145,18 @@ void fillTemplate(AtomicFile& file, std::string_view text, const std::function<v
     }
 }
 
-} // namespace
-
-void writeReport(const fs::path& folder, const RunResults& results)
+// The page numbers rows as the JSON has them.
+void writePage(const fs::path& folder, const std::string& json, std::vector<ResultRow> rows)
 {
-    // The page numbers rows as the JSON has them.
-    RunResults sorted = results;
-    sortByKey(sorted.rows);
-
+    sortByKey(rows);
     AtomicFile file(folder / "report.html");
     PictureWriter pictures(file, folder);
     const std::map<std::string_view, std::function<void()>> parts{
-        {"results", [&] { file.write(safeInScript(toJson(sorted))); }},
+        {"results", [&] { file.write(safeInScript(json)); }},
         {"colours", [&] { file.write(coloursJson()); }},
         {"pictures",
          [&] {
-             for (std::size_t row = 0; row < sorted.rows.size(); ++row) pictures.write(row, sorted.rows[row]);
+             for (std::size_t row = 0; row < rows.size(); ++row) pictures.write(row, rows[row]);
          }},
     };
     fillTemplate(file, textNamed(reportPage(), "report.html"), [&](std::string_view name) {
@@ -169,5 +165,19 @@ void writeReport(const fs::path& folder, const RunResults& results)
     });
     file.commit();
 }
+
+} // namespace
+
+void writeReport(const fs::path& folder, const RunResults& results)
+{
+    writePage(folder, toJson(results), results.rows);
+}
+
+void writeReport(const fs::path& folder, const Reproduction& reproduction)
+{
+    writePage(folder, toJson(reproduction), reproduction.run.rows);
+}
+
+void writeReport(const fs::path& folder, const PlaneBudget& study) { writePage(folder, toJson(study), study.run.rows); }
 
 } // namespace lixel

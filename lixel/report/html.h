@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lixel/report/results.h"
+#include "lixel/report/plane_budget.h"
+#include "lixel/report/reproduction.h"
 
 #include <filesystem>
 
@@ -11,5 +12,11 @@ namespace lixel {
 // beside it. The pictures are read from `folder`, where the rows' PictureFiles must already stand.
 // Throws OutputError when it cannot be written, std::runtime_error when a picture cannot be read.
 void writeReport(const std::filesystem::path& folder, const RunResults& results);
+
+// The same with the paper's numbers beside ours, and its figures.
+void writeReport(const std::filesystem::path& folder, const Reproduction& reproduction);
+
+// The same with the curves.
+void writeReport(const std::filesystem::path& folder, const PlaneBudget& study);
 
 } // namespace lixel

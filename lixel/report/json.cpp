@@ -79,11 +79,16 @@ Json nameOrNull(const std::string& name) { return name.empty() ? Json(nullptr) :
 Json planes(const std::vector<PlaneSamples>& of)
 {
     Json json = Json::array();
-    for (const auto& [plane, count] : of)
+    for (const auto& [plane, count, causes] : of) {
         json.push_back({{"plane", nameOrNull(plane)},
                         {"samples", count.samples},
                         {"misclassified", count.misclassified},
                         {"misclassified_percent", percent(count.misclassified, count.samples)}});
+        if (!causes) continue;
+        json.back()["misclassified_near_edge"] = causes->nearEdge;
+        json.back()["misclassified_near_caster"] = causes->nearCaster;
+        json.back()["misclassified_unexplained"] = causes->unexplained;
+    }
     return json;
 }
 

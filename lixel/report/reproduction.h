@@ -20,6 +20,15 @@ struct ReproducedNumber
     std::string source;           // where in the paper
 };
 
+// Pictures beside each other, whole and enlarged, as papers show them.
+struct PictureRow
+{
+    std::string title;                   // what the paper's figure shows there
+    std::string scene, view, light;      // of the rows
+    std::vector<std::string> techniques; // of the rows, as they were typed; from left to right
+    int left = 0, top = 0, side = 0;     // the square that is enlarged, pixels from the picture's upper left
+};
+
 // One experiment of a paper, run again.
 struct Reproduction
 {
@@ -27,10 +36,12 @@ struct Reproduction
     bool isQuick = false;
     std::vector<std::pair<std::string, std::string>> parameters;
     std::vector<ReproducedNumber> numbers;
-    RunResults run; // what the numbers were made from
+    std::vector<ReproducedNumber> timingNumbers; // those that depend on the clock and the machine
+    std::vector<PictureRow> figures;             // of rows with pictures
+    RunResults run;                              // what the numbers were made from
 };
 
-// JSON as toJson(RunResults) writes it, with `reproduction` {name, paper, question, quick, parameters, numbers} beside `results`.
+// JSON as toJson(RunResults) writes it, with `reproduction` beside `results`.
 std::string toJson(const Reproduction& reproduction);
 
 } // namespace lixel

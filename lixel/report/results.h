@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lixel/judge/on_planes.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -93,6 +95,7 @@ struct PlaneSamples
 {
     std::string plane;
     SampleCount count;
+    std::optional<PlaneErrorCauses> causes = {}; // of a plane with a lixel a pixel
 };
 
 // One map of a light, in the order they serve.

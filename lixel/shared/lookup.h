@@ -13,9 +13,13 @@ LX_SHARED_BEGIN
 struct LxReceiver
 {
     vec2 lixel;         // continuous
+    vec2 at;            // continuous lixel of `depth`: its own, but for what lies on the region's plane
     float depth;        // reversed: 1 near, 0 far
     vec2 depthPerLixel; // of the receiver's plane
+    float margin;       // lixels of depthPerLixel that a stored depth must be nearer by
+    float isOnPlane;    // 1 on the plane that the region's lixels are the pixels of, else 0
     float slack;        // depth that rounding may have moved the receiver or the map by
+    float slackBeside;  // further slack for taps of other lixels: what is called one plane may be a little rough
     float isInside;     // 1 inside the region's rectangle and before its far side, else 0
 };
 
@@ -25,6 +29,11 @@ const float LX_ROUNDING = 6.0e-7f;
 const float LX_SNAP = 0.0078125f;
 // Half a lixel: from a lixel's centre, where the stored depth was taken, to its border.
 const float LX_HALF_LIXEL = 0.5f;
+
+// Radians between normals of one plane.
+const float LX_SAME_NORMAL = 1.0e-3f;
+// Rounding of a height above a plane and of a depth on it, against their terms: of the numbers, three products and three sums.
+const float LX_PLANE_ROUNDING = 2.4e-7f;
 
 LX_FN vec3 lxAnyPerpendicular(vec3 n)
 {
@@ -85,19 +94,46 @@ LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
                   r.lixel.x < region.rectangle.z && r.lixel.y < region.rectangle.w && r.depth >= -LX_ROUNDING * errorZ;
     r.isInside = inside ? 1.0f : 0.0f;
     r.slack = isEdgeOn ? steepest : LX_ROUNDING * (errorZ + abs(gx) * errorX + abs(gy) * errorY);
+    r.at = r.lixel;
+    r.margin = LX_HALF_LIXEL + LX_SNAP;
+    r.isOnPlane = 0.0f;
+    r.slackBeside = 0.0f;
+
+    // On the plane whose pixels the lixels are, the stored depth was taken at the sample itself, and without a caster it is the
+    // sample's: the plan knows that depth better than the sample's floats do, and nothing bends within the lixel.
+    vec3 planeNormal = vec3(region.plane.x, region.plane.y, region.plane.z);
+    vec3 apart = cross(planeNormal, normal);
+    float height = planeNormal.x * positionLocal.x + planeNormal.y * positionLocal.y + planeNormal.z * positionLocal.z +
+                   region.plane.w;
+    float roughness = LX_ROUNDING * (p.x + p.y + p.z);
+    if (region.planeDepth.w > 0.0f && abs(height) <= roughness && dot(apart, apart) < LX_SAME_NORMAL * LX_SAME_NORMAL) {
+        float depthPerHeight = region.planeDepth.w * perW;
+        float terms =
+            abs(planeNormal.x) * p.x + abs(planeNormal.y) * p.y + abs(planeNormal.z) * p.z + abs(region.plane.w);
+        r.at = vec2(region.lixelFromNdc.z, region.lixelFromNdc.w);
+        r.depth = region.planeDepth.x + depthPerHeight * height;
+        r.depthPerLixel = vec2(region.planeDepth.y, region.planeDepth.z);
+        float depths = abs(region.planeDepth.x) + abs(region.planeDepth.y) * region.lixelFromNdc.x +
+                       abs(region.planeDepth.z) * region.lixelFromNdc.y;
+        r.slack = LX_PLANE_ROUNDING * (depths + depthPerHeight * terms);
+        r.slackBeside = 2.0f * depthPerHeight * roughness;
+        r.margin = LX_SNAP;
+        r.isOnPlane = 1.0f;
+    }
     return r;
 }
 
 // The depth that a stored depth must exceed (be nearer than) to shadow the receiver, for the tap whose lixel has its centre at
 // `centre`: the receiver's plane there, nearer by what it changes over half a lixel. The plane alone keeps planes and convex
-// bodies free of shadows of their own; the half lixel covers bodies that curve towards the light within one. Not below 0,
-// which is what an empty lixel holds.
+// bodies free of shadows of their own; the half lixel covers bodies that curve towards the light within one, and is not needed
+// on a plane that the map is made for. Not below 0, which is what an empty lixel holds.
 LX_FN float lxShadowingDepth(LxReceiver r, vec2 centre)
 {
-    float planeDepth =
-        r.depth + r.depthPerLixel.x * (centre.x - r.lixel.x) + r.depthPerLixel.y * (centre.y - r.lixel.y);
-    float margin = (abs(r.depthPerLixel.x) + abs(r.depthPerLixel.y)) * (LX_HALF_LIXEL + LX_SNAP);
-    return max(planeDepth + margin + r.slack, 0.0f);
+    float planeDepth = r.depth + r.depthPerLixel.x * (centre.x - r.at.x) + r.depthPerLixel.y * (centre.y - r.at.y);
+    float margin = (abs(r.depthPerLixel.x) + abs(r.depthPerLixel.y)) * r.margin;
+    bool isBeside = max(abs(centre.x - r.lixel.x), abs(centre.y - r.lixel.y)) > LX_HALF_LIXEL;
+    float slack = isBeside ? r.slack + r.slackBeside : r.slack;
+    return max(planeDepth + margin + slack, 0.0f);
 }
 
 // Visibility: the share of a square grid of taps, `side` by `side` lixels one lixel apart, that are lit. Taps stop at the

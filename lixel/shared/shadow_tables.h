@@ -17,6 +17,11 @@ struct ShadowRegion
     vec4
         place; // x: layer; y, z: first and count of its half-spaces; w: 1 where points are to be taken through the matrix in double
     // (lxLightClip in light_clip.h), else 0
+    // Of a map whose lixels are the pixels of a plane; else 0. Local, unit normal towards the light. At the height h above it, depth is
+    // planeDepth.x + planeDepth.y (lixel x - lixelFromNdc.z) + planeDepth.z (lixel y - lixelFromNdc.w) + planeDepth.w h / w
+    // with the w of lightClipFromLocal.
+    vec4 plane;
+    vec4 planeDepth;
 };
 
 // One light: which regions serve it, in their order.

@@ -23,6 +23,13 @@ struct CandidateContext
     void* query;
 };
 
+struct OfferContext
+{
+    RTCIntersectContext embree;
+    EmbreeScene::Meets meets;
+    void* query;
+};
+
 struct NearestContext
 {
     RTCIntersectContext embree;
@@ -39,6 +46,22 @@ void offerCandidate(const RTCOccludedFunctionNArguments* args)
     if (context->blocks(context->query, args->primID)) reinterpret_cast<RTCRay*>(args->ray)->tfar = -INFINITY;
 }
 
+// Likewise, for each whose widened box begins before the nearest hit so far.
+void offerUpToHit(const RTCIntersectFunctionNArguments* args)
+{
+    LX_ASSERT(args->N == 1);
+    if (!args->valid[0]) return;
+    const auto* context = reinterpret_cast<const OfferContext*>(args->context);
+    auto* hit = reinterpret_cast<RTCRayHit*>(args->rayhit);
+    const std::optional<double> t = context->meets(context->query, args->primID);
+    if (!t) return;
+    // Rounded up: what is nearer by less than floats tell is still offered.
+    const float end = std::nextafter(std::max(float(*t), hit->ray.tnear), INFINITY);
+    if (!(end < hit->ray.tfar)) return;
+    hit->ray.tfar = end;
+    hit->hit.geomID = args->geomID, hit->hit.primID = args->primID;
+}
+
 void filterHits(const RTCFilterFunctionNArguments* args)
 {
     const auto* context = reinterpret_cast<const NearestContext*>(args->context);
@@ -49,6 +72,15 @@ void filterHits(const RTCFilterFunctionNArguments* args)
         const float u = RTCHitN_u(args->hit, args->N, i), v = RTCHitN_v(args->hit, args->N, i);
         if (!context->keeps(context->owner, triangle, u, v)) args->valid[i] = 0;
     }
+}
+
+RTCRay toEmbree(const SearchRay& ray)
+{
+    RTCRay r{};
+    r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z, r.tnear = ray.tMin;
+    r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z, r.tfar = ray.tMax;
+    r.mask = ~0u;
+    return r;
 }
 
 constexpr unsigned kPacket = 16;
@@ -100,6 +132,7 @@ struct EmbreeScene::State
         rtcSetGeometryUserData(geometry, this);
         rtcSetGeometryBoundsFunction(geometry, boundsOf, nullptr);
         rtcSetGeometryOccludedFunction(geometry, offerCandidate);
+        rtcSetGeometryIntersectFunction(geometry, offerUpToHit);
         attach(candidates, geometry);
     }
 
@@ -167,12 +200,21 @@ bool EmbreeScene::anyBlocks(const SearchRay& ray, Blocks blocks, void* query) co
     CandidateContext context{};
     rtcInitIntersectContext(&context.embree);
     context.blocks = blocks, context.query = query;
-    RTCRay r{};
-    r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z, r.tnear = ray.tMin;
-    r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z, r.tfar = ray.tMax;
-    r.mask = ~0u;
+    RTCRay r = toEmbree(ray);
     rtcOccluded1(state_->candidates, &context.embree, &r);
     return r.tfar == -INFINITY;
+}
+
+void EmbreeScene::offerUpToNearest(const SearchRay& ray, Meets meets, void* query) const
+{
+    if (!state_->candidates || !(ray.tMin <= ray.tMax)) return;
+    OfferContext context{};
+    rtcInitIntersectContext(&context.embree);
+    context.meets = meets, context.query = query;
+    RTCRayHit rayHit{};
+    rayHit.ray = toEmbree(ray);
+    rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(state_->candidates, &context.embree, &rayHit);
 }
 
 void EmbreeScene::nearest(std::span<const SearchRay> rays, std::span<SearchHit> hits, Keeps keeps,

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 // Embree, and all that lixel knows of it: two search trees over one list of triangles.
@@ -37,7 +38,12 @@ public:
     using Blocks = bool (*)(void* query, std::uint32_t triangle);
     bool anyBlocks(const SearchRay& ray, Blocks blocks, void* query) const;
 
-    // The bound on float rounding that triangles are widened by in anyBlocks; Local units. Rays whose origin lies
+    // Offers every triangle that comes within margin() of the ray before the nearest hit so far, in no particular order and
+    // perhaps with others, to `meets`, which gives the hit's t of the SearchRay, or nothing.
+    using Meets = std::optional<double> (*)(void* query, std::uint32_t triangle);
+    void offerUpToNearest(const SearchRay& ray, Meets meets, void* query) const;
+
+    // The bound on float rounding that triangles are widened by where they are offered; Local units. Rays whose origin lies
     // within the scene's box, widened by twice the margin, lose nothing.
     double margin() const;
 

@@ -33,6 +33,21 @@ public:
     {
     }
 
+    // Slower than tiles, and in double from the ray on.
+    float exactDepth(int x, int y) const
+    {
+        const std::optional<LightRay> lightRay = image_.rayThrough({x + 0.5, y + 0.5});
+        if (!lightRay) return 0;
+        const Interval inScene = beforeLight(*lightRay);
+        Nearest nearest{scene_, {lightRay->originLocal, lightRay->directionLocal, inScene.first, {}}, inScene.last};
+        const auto meets = [](void* query, std::uint32_t triangle) {
+            return static_cast<Nearest*>(query)->meet(triangle);
+        };
+        scene_.embree().offerUpToNearest(searchRay(nearest.ray.origin, nearest.ray.direction, inScene), meets,
+                                         &nearest);
+        return nearest.isMet ? depthAt(nearest.ray.origin + nearest.t * nearest.ray.direction) : 0;
+    }
+
     void traceTile(int x0, int y0, Image<float>& layer) const
     {
         std::array<LightRay, kTileLixels> rays;
@@ -56,6 +71,25 @@ public:
     }
 
 private:
+    // The state of one walk through the tree.
+    struct Nearest
+    {
+        const TraceScene& scene;
+        Ray ray;
+        double t; // of the ray: up to here nothing else was met
+        bool isMet = false;
+
+        // In lengths from the start of the search.
+        std::optional<double> meet(std::uint32_t triangle)
+        {
+            const std::optional<TriangleHit> hit = intersect(ray, scene.corners(triangle));
+            if (!hit || !(hit->t <= t) || !scene.keeps(triangle, float(hit->u), float(hit->v))) return std::nullopt;
+            t = hit->t;
+            isMet = true;
+            return (t - ray.tMin) * length(ray.direction);
+        }
+    };
+
     // The part of the ray's line that is lit: within the scene, from the light on, which is where w is 0 or infinitely
     // far.
     Interval beforeLight(const LightRay& ray) const
@@ -76,7 +110,12 @@ private:
         const double searched = start + double(hit.t) / length(ray.directionLocal);
         const double t = meetPlane(ray.originLocal, ray.directionLocal, corners).value_or(searched);
         const Vec3d onPlane = ray.originLocal + t * ray.directionLocal;
-        const Vec4d clip = depthFromLocal_ * point(drawnInto(corners, onPlane, 0).value_or(onPlane));
+        return depthAt(drawnInto(corners, onPlane, 0).value_or(onPlane));
+    }
+
+    float depthAt(Vec3d pointLocal) const
+    {
+        const Vec4d clip = depthFromLocal_ * point(pointLocal);
         return clip.w > 0 ? float(std::clamp(clip.z / clip.w, 0.0, 1.0)) : 1.0f;
     }
 
@@ -93,11 +132,23 @@ void traceLightMap(const TraceScene& scene, const PlannedRegion& region, Image<f
     const LixelRectangle& r = region.rectangle;
     LX_ASSERT(r.x0 >= 0 && r.y0 >= 0 && r.x1 <= layer.width() && r.y1 <= layer.height());
     const RegionTracer tracer(scene, region);
+    if (region.pixels) {
+        forEachBlock(std::size_t(r.height()), 4, [&](std::size_t first, std::size_t last) {
+            for (std::size_t row = first; row < last; ++row)
+                for (int x = r.x0; x < r.x1; ++x) layer(x, r.y0 + int(row)) = tracer.exactDepth(x, r.y0 + int(row));
+        });
+        return;
+    }
     const std::size_t tileRows = std::size_t(r.height() + kTile - 1) / kTile;
     forEachBlock(tileRows, 4, [&](std::size_t first, std::size_t last) {
         for (std::size_t row = first; row < last; ++row)
             for (int x = r.x0; x < r.x1; x += kTile) tracer.traceTile(x, r.y0 + int(row) * kTile, layer);
     });
+}
+
+float tracedDepth(const TraceScene& scene, const PlannedRegion& region, int x, int y)
+{
+    return RegionTracer(scene, region).exactDepth(x, y);
 }
 
 } // namespace lixel

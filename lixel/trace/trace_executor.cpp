@@ -47,9 +47,9 @@ Visibility lookUp(const FramePlan& plan, const TracedAtlas& atlas, const ViewSam
             const shared::vec3 positionLocal = toShared(samples.positionLocal[i]);
             for (const shared::ShadowRegion& region : regions) {
                 if (!isWithinHalfSpaces(plan, region, positionLocal)) continue;
-                const shared::LxReceiver receiver =
-                    shared::lxReceive(region, positionLocal, toShared(samples.normal[i]));
+                shared::LxReceiver receiver = shared::lxReceive(region, positionLocal, toShared(samples.normal[i]));
                 if (receiver.isInside == 0) continue;
+                if (receiver.isOnPlane != 0) receiver.margin = 0; // rays need no room for a rasterizer's grid
                 visibility.value[i] = shared::lxVisibility(region, receiver, plan.lookup.tapsPerSide, storedDepth);
                 visibility.unserved[i] = 0;
                 break;

@@ -93,6 +93,9 @@ TEST_F(RefusedInput, CommandsAndOptionsMustBeKnown)
     expectMention(refusal({"reproduce", "nothing"}, kBadUsage), "normal-against-focused");
     expectMention(refusal({"study", "nothing"}, kBadUsage), "one-to-one");
     expectMention(refusal({"study", "one-to-one", "--count", "0"}, kBadUsage), "--count");
+    expectMention(refusal({"study", "one-to-one", "-o", "out"}, kBadUsage), "no report");
+    expectMention(refusal({"study", "plane-budget", "-o", "-"}, kBadUsage), "folder");
+    expectMention(refusal({"reproduce", "lixel-fig7", "-o", "-"}, kBadUsage), "folder");
     expectMention(refusal({"reproduce", "normal-against-focused", "--seed", "-1"}, kBadUsage), "whole number");
 }
 

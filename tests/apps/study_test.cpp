@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "report/sample_results.h"
 #include "report/schema_check.h"
 #include "run_command.h"
 
@@ -38,11 +39,42 @@ TEST(StudyCommand, WithTheCpuExecutorLeavesTheDeviceOut)
     EXPECT_TRUE(json["why_no_gpu"].is_string());
 }
 
+// On planes errors fall as lixels grow, and with a lixel a pixel there are next to none.
+TEST(StudyCommand, PlaneBudgetHasNextToNoErrorsOnPlanesWithALixelAPixel)
+{
+    const TemporaryFolder folder;
+    CommandOptions options;
+    options.folder = folder.path();
+    const CommandResult result =
+        runLixel({"study", "plane-budget", "--quick", "--executor", "trace", "-o", "out"}, options);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const std::string text = readWhole(folder.path() / "out" / "results.json");
+    EXPECT_EQ(schemaError(text), "");
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "report.html"));
+    const auto json = nlohmann::json::parse(text);
+    int exact = 0;
+    for (const auto& curve : json.at("study").at("curves")) {
+        const auto& points = curve.at("points");
+        const auto percent = [](const nlohmann::json& point) {
+            return point.at("misclassified_percent").get<double>();
+        };
+        if (curve.at("technique").get<std::string>().find("exact") == std::string::npos) {
+            ASSERT_EQ(points.size(), 7u);
+            EXPECT_LT(percent(points.back()), 0.5 * percent(points.front()));
+        } else if (curve.at("receivers") == "planes") {
+            ++exact;
+            EXPECT_LT(percent(points.front()), 0.05);
+        }
+    }
+    EXPECT_EQ(exact, 3) << "one a scene";
+}
+
 TEST(StudyCommand, WithoutANameListsTheStudies)
 {
     const CommandResult result = runLixel({"study"});
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_NE(result.out.find("one-to-one"), std::string::npos);
+    EXPECT_NE(result.out.find("plane-budget"), std::string::npos);
 }
 
 } // namespace

@@ -70,12 +70,15 @@ TEST_F(LayoutTest, ShadowTablesLieAsInCpp)
 {
     const ProgramName region = programWith(
         "lixel/shared/shadow_tables.h", "ShadowRegion", kStorage,
-        "row.lightClipFromLocal[0].x + row.lightClipLow[0].x + row.lixelFromNdc.x + row.rectangle.x + row.place.x");
+        "row.lightClipFromLocal[0].x + row.lightClipLow[0].x + row.lixelFromNdc.x + row.rectangle.x + row.place.x + "
+        "row.plane.x + row.planeDepth.x");
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, lightClipFromLocal);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, lightClipLow);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, lixelFromNdc);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, rectangle);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, place);
+    LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, plane);
+    LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, planeDepth);
     const std::string matrix = "rows[0].lightClipFromLocal";
     EXPECT_EQ(property(region, GL_BUFFER_VARIABLE, matrix, GL_MATRIX_STRIDE), GLint(sizeof(shared::vec4)));
     EXPECT_EQ(property(region, GL_BUFFER_VARIABLE, matrix, GL_IS_ROW_MAJOR), 0);

@@ -10,10 +10,9 @@
 namespace lixel::test {
 namespace {
 
-using SampleRun = RunResults (*)(const std::filesystem::path& folder, int size);
-
 // report_in_browser.py says what is tried; LIXEL_REPORT_SCREENSHOTS=folder keeps pictures of the page, in `name` there.
-void useInABrowser(SampleRun sample, const std::string& name)
+template <typename Results>
+void useInABrowser(Results (*sample)(const std::filesystem::path& folder, int size), const std::string& name)
 {
     constexpr int kNoBrowser = 77;
     const TemporaryFolder folder;
@@ -29,8 +28,13 @@ void useInABrowser(SampleRun sample, const std::string& name)
     EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
-TEST(Report, IsUsableInABrowserFromAFile) { useInABrowser(sampleRun, "pictures"); }
-TEST(Report, OfAPathIsUsableInABrowserFromAFile) { useInABrowser(samplePath, "path"); }
+TEST(Report, IsUsableInABrowserFromAFile) { useInABrowser<RunResults>(sampleRun, "pictures"); }
+TEST(Report, OfAPathIsUsableInABrowserFromAFile) { useInABrowser<RunResults>(samplePath, "path"); }
+TEST(Report, OfAnExperimentIsUsableInABrowserFromAFile)
+{
+    useInABrowser<Reproduction>(sampleReproduction, "experiment");
+}
+TEST(Report, OfAStudyIsUsableInABrowserFromAFile) { useInABrowser<PlaneBudget>(samplePlaneBudget, "study"); }
 
 } // namespace
 } // namespace lixel::test

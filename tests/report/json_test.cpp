@@ -36,6 +36,8 @@ TEST(ResultsJson, IsValidByItsSchema)
 {
     EXPECT_EQ(schemaError(toJson(sampleRun())), "");
     EXPECT_EQ(schemaError(toJson(samplePath())), "");
+    EXPECT_EQ(schemaError(toJson(sampleReproduction({}, 32))), "");
+    EXPECT_EQ(schemaError(toJson(samplePlaneBudget({}, 32))), "");
 }
 
 TEST(ResultsJson, IsValidWhenNothingWasMeasuredOrCounted)
@@ -140,6 +142,25 @@ TEST(ResultsJson, FlipsAreToldOfPathsOnlyWithTheirShares)
     EXPECT_EQ(told["flips_percent"], 0.375);
     EXPECT_TRUE(told["terminator_band_flips_percent"].is_null()); // a share of nothing
     EXPECT_EQ(told["pairs"].size() + 1, told["frames"].get<std::size_t>());
+}
+
+TEST(ResultsJson, AnExperimentsNumbersOfTheClockStandInItsTiming)
+{
+    const Json json = Json::parse(toJson(sampleReproduction({}, 32))).at("reproduction");
+    ASSERT_EQ(json.at("numbers").size(), 2u);
+    EXPECT_EQ(json.at("numbers")[0].at("papers"), 2.25);
+    EXPECT_TRUE(json.at("numbers")[1].at("papers").is_null());
+    ASSERT_EQ(json.at("timing").at("numbers").size(), 1u);
+    EXPECT_EQ(json.at("timing").at("numbers")[0].at("ours"), 290);
+}
+
+TEST(ResultsJson, AStudysPercentagesAreThoseOfItsCounts)
+{
+    const Json json = Json::parse(toJson(samplePlaneBudget({}, 32)));
+    for (const Json& curve : json.at("study").at("curves"))
+        for (const Json& point : curve.at("points"))
+            EXPECT_EQ(point.at("misclassified_percent").get<double>(),
+                      100 * point.at("misclassified").get<double>() / point.at("samples").get<double>());
 }
 
 TEST(ResultsJson, InfinityIsNull)

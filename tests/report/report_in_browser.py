@@ -265,7 +265,7 @@ def table_sorts_by(page, start):
 
 def charts_show(page):
     page.run("scrollTo(0, 0)")
-    bars = page.run("return [...document.querySelectorAll('.chart svg')].map(s => s.querySelectorAll('rect').length)")
+    bars = page.run("return [...document.querySelectorAll('#charts svg')].map(s => s.querySelectorAll('rect').length)")
     expected = 3 if is_path(page) else 2  # error, cost, and flips
     check(len(bars) == expected and min(bars) > 1, f"error and cost have bars, along a path flips too: {bars}")
 
@@ -273,7 +273,7 @@ def charts_show(page):
 def flips_show(page):
     if not is_path(page):
         return
-    svg = "document.querySelector('.chart:last-child svg')"
+    svg = "document.querySelector('#charts .chart:last-child svg')"
     columns = page.run(f"return {svg}.querySelectorAll('rect.flips').length")
     expected = page.run("return summary.filter(row => row.technique !== 'exact')"
                         ".reduce((sum, row) => sum + row.pairs.length, 0)")
@@ -283,6 +283,42 @@ def flips_show(page):
     check(highest == 38, f"the highest column fills its strip: {highest}")
     told = page.run("return document.getElementById('summary-note').textContent")
     check("9 frames from 0.5 s to 4.5 s" in told, f"the path is told: {told}")
+
+
+def experiment_shows(page):
+    """The paper's numbers, and its figures with what is enlarged."""
+    if page.run("return !run.reproduction"):
+        return
+    told = page.run("return document.getElementById('numbers-table').innerText")
+    missing = page.run("return [...run.reproduction.numbers, ...run.reproduction.timing.numbers]"
+                       ".map(number => number.key).filter(key => !arguments[0].includes(key))", told)
+    check(missing == [], f"each number is shown: {missing}")
+    page.wait_for("the figures are drawn", PIXELS + "const all = [...document.querySelectorAll('.panel canvas')];"
+                  " return all.length === 2 * run.reproduction.figures.reduce((n, f) => n + f.techniques.length, 0)"
+                  " && all.every(canvas => pixels(canvas)[3] === 255)")
+    same = page.run(PIXELS + "return (async () => { const at = run.reproduction.figures[0].enlarged;"
+                    "const row = run.results.find(row => row.technique === run.reproduction.figures[0].techniques[0]"
+                    " && row.view === run.reproduction.figures[0].view);"
+                    "const whole = await picture(row, 'shaded'), data = pixels(whole);"
+                    "const shown = pixels(document.querySelector('.panel .enlarged'));"
+                    "return [0, 1, 2].every(c => shown[c] === data[4 * (at.top * whole.width + at.left) + c]); })()")
+    check(same, "what is enlarged is that part of the picture")
+    page.click(".figure:nth-of-type(2) button")
+    shown = page.run("return document.getElementById('tag-right').textContent")
+    check(shown.endswith("exact · gl"), f"a figure's pictures can be compared: {shown}")
+
+
+def study_shows(page):
+    """A chart for planes and one for the rest, with a dot for each point."""
+    if page.run("return !run.study"):
+        return
+    dots, expected = page.run("return [document.querySelectorAll('#curves circle').length,"
+                              " run.study.curves.reduce((sum, curve) => sum + curve.points.length, 0)]")
+    check(dots == expected > 0, f"each point has its dot: {dots} of {expected}")
+    none = page.run("const at = c => c.cy.baseVal.value; const dots = [...document.querySelectorAll('#curves circle')];"
+                    "return dots.filter(dot => dot.textContent.endsWith(' 0 %'))"
+                    ".every(dot => [...dot.parentNode.querySelectorAll('circle')].every(c => at(c) <= at(dot)))")
+    check(none, "no error lies lowest")
 
 
 def command_stands_there(page):
@@ -320,8 +356,8 @@ def console_is_quiet(page):
 
 STEPS = [
     pictures_appear, differences_become_whole_pictures, slider_moves, techniques_change, error_overlay_toggles,
-    density_shows_with_its_legend, zoom_works, next_view_opens, tables_sort, charts_show, flips_show, command_stands_there,
-    refusals_are_told, fits_every_width, needs_nothing_from_outside, console_is_quiet,
+    density_shows_with_its_legend, zoom_works, next_view_opens, tables_sort, charts_show, flips_show, experiment_shows, study_shows,
+    command_stands_there, refusals_are_told, fits_every_width, needs_nothing_from_outside, console_is_quiet,
 ]
 
 

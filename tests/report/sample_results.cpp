@@ -209,4 +209,39 @@ RunResults samplePath(const fs::path& folder, int size)
 }
 RunResults samplePath() { return samplePath({}, 32); }
 
+Reproduction sampleReproduction(const fs::path& folder, int size)
+{
+    Reproduction out{
+        "shadows-of-discs", "A. Author. A Paper. 2004, Table 1", "Which is better?", true, {}, {}, {}, {}, {}};
+    out.run = makeRun(folder, size);
+    out.parameters = {{"size", std::to_string(size)}, {"view", "front"}};
+    out.numbers = {{"uniform over focused", "ratio", 2.5, 2.25, "Table 1"},
+                   {"focused, mean", "percent", 0.125, std::nullopt, "no numbers"}};
+    out.timingNumbers = {{"focused", "frames a second", 290, 30, "section 4"}};
+    for (const char* view : {"front", "low camera"})
+        out.figures.push_back({std::string("from the ") + view,
+                               "bunnies",
+                               view,
+                               "sun",
+                               {"uniform", "focused", "exact"},
+                               size / 4,
+                               size / 2,
+                               size / 8});
+    return out;
+}
+
+PlaneBudget samplePlaneBudget(const fs::path& folder, int size)
+{
+    PlaneBudget out{"How does error fall?", true, {}, 1, makeRun(folder, size)};
+    for (const bool isOnPlanes : {true, false}) {
+        out.curves.push_back(
+            {"bunnies", "focused", isOnPlanes, {{"128x128", 16384, {10000, 400}}, {"512x512", 262144, {10000, 90}}}});
+        out.curves.push_back({"bunnies",
+                              "planes(floor)+plane-optimal+allocation=exact",
+                              isOnPlanes,
+                              {{"512x512", 70000.5, {10000, isOnPlanes ? 0 : 250}}}});
+    }
+    return out;
+}
+
 } // namespace lixel::test

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lixel/report/results.h"
+#include "lixel/report/plane_budget.h"
+#include "lixel/report/reproduction.h"
 
 #include <filesystem>
 #include <string>
@@ -34,5 +35,11 @@ RunResults sampleRun();
 // The same along a path: every measured row has flips.
 RunResults samplePath(const std::filesystem::path& folder, int size);
 RunResults samplePath();
+
+// A made-up experiment: numbers with the paper's and without, of the clock too, and a figure of each view.
+Reproduction sampleReproduction(const std::filesystem::path& folder, int size);
+
+// A made-up study: two techniques on planes and off them, one of them at last without errors on them.
+PlaneBudget samplePlaneBudget(const std::filesystem::path& folder, int size);
 
 } // namespace lixel::test

@@ -30,7 +30,7 @@
 namespace lixel::app {
 namespace {
 
-constexpr int kCount = 10000, kPointsADouble = 200;
+constexpr int kCount = 10000, kQuickCount = 1000, kPointsADouble = 200;
 
 // The map of a configuration at a lixel a pixel.
 struct PixelMap
@@ -141,7 +141,7 @@ int studyOneToOne(const StudyOptions& options)
 {
     OneToOne study;
     study.seed = options.seed;
-    study.configurations = options.count > 0 ? options.count : kCount;
+    study.configurations = options.count > 0 ? options.count : options.isQuick ? kQuickCount : kCount;
     study.whyNotOnDevice = "--executor trace draws nothing";
     study.timing.host = fmt::format("{} processors", std::thread::hardware_concurrency());
 #if LIXEL_HAS_GL

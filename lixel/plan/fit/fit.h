@@ -69,6 +69,7 @@ struct FitScratch
     std::vector<NeedSample> need;
     std::vector<Vec3d> needLocal; // where they are
     PlaneScratch planes;
+    std::vector<Plane> earlierPlanes;
     std::vector<Vec3d> planePoints, planeNormals; // of what planes are sought among
     std::vector<float> planeWeights;
     std::vector<LeftOutPlane> leftOut;

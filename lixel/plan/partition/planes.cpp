@@ -16,6 +16,9 @@ namespace {
 // fortieth of a pixel of a thousand, and what its fit holds.
 constexpr double kServedBeside = 2.5e-5, kHeldBeside = 1e-4;
 
+// Floats of points on a plane, and of the plane, round by this part of their terms, with room.
+constexpr double kOnPlane = 8 * 0x1p-24;
+
 Vec4d asRow(const Plane& plane) { return {plane.normal.x, plane.normal.y, plane.normal.z, plane.offset}; }
 
 Plane asPlane(Vec4d row)
@@ -36,6 +39,22 @@ std::optional<Vec4d> turned(const Plane& plane, Vec4d light)
     const double ofLight = dot(asRow(plane), light);
     if (!(std::abs(ofLight) > 1e-12 * length(xyz(light)))) return std::nullopt;
     return (1 / ofLight) * asRow(plane);
+}
+
+// Whether something seen of the plane faces the light: eye and light are on one side.
+bool facesLight(const Plane& plane, Vec4d light, Vec4d eye)
+{
+    return dot(asRow(plane), light) * dot(asRow(plane), eye) > 0;
+}
+
+// What is not behind the plane, as the light sees it; with room for the rounding of points on it.
+Plane notBehind(const Plane& plane, Vec4d light, const Box& sceneLocal)
+{
+    const double side = dot(asRow(plane), light) < 0 ? -1 : 1;
+    const auto reach = [](double low, double high) { return std::max(std::abs(low), std::abs(high)); };
+    const Box& box = sceneLocal;
+    const double farthest = reach(box.min.x, box.max.x) + reach(box.min.y, box.max.y) + reach(box.min.z, box.max.z);
+    return {side * plane.normal, side * plane.offset + kOnPlane * (farthest + std::abs(plane.offset))};
 }
 
 // Whether both planes meet within the box: whether their line has a part in it.
@@ -120,7 +139,7 @@ InterestPlane interestPlane(const NamedPlane& plane, Vec3d originWorld, int numb
 CellsResult splitPlanes(const FitInput& input, std::span<const InterestPlane> planes, Twist twist)
 {
     if (planes.empty()) return Unexpected{FitFailure::NoSuchPlane};
-    const Vec4d light = lightLocal(input);
+    const Vec4d light = lightLocal(input), eye = eyeLocal(input.view, input.originWorld);
     Cells cells;
     for (const InterestPlane& plane : planes) {
         Cell cell;
@@ -130,6 +149,7 @@ CellsResult splitPlanes(const FitInput& input, std::span<const InterestPlane> pl
         const auto own = turned(plane.planeLocal, light);
         for (const InterestPlane& other : planes) {
             if (!own || &other == &plane || !plane.polygonLocal.empty() || !other.polygonLocal.empty()) continue;
+            if (!facesLight(other.planeLocal, light, eye)) continue; // it has no map
             const auto others = turned(other.planeLocal, light);
             if (!others || !meetIn(input.sceneLocal, plane.planeLocal, other.planeLocal)) continue;
             // Zero at the light and on the line; positive where a ray comes to this plane first.
@@ -142,6 +162,11 @@ CellsResult splitPlanes(const FitInput& input, std::span<const InterestPlane> pl
         const auto frame = planeOptimalFrame(input.view, input.light, input.originWorld, plane.planeLocal,
                                              input.sceneLocal.diagonal());
         addRoom(cell, frame ? &*frame : nullptr, input.sceneLocal.diagonal());
+        if (input.wantsWholePixels) {
+            const Plane front = notBehind(plane.planeLocal, light, input.sceneLocal);
+            cell.ownLocal.push_back(front);
+            cell.servesLocal.push_back(front);
+        }
         cells.push_back(cell);
     }
     return cells;

@@ -28,7 +28,9 @@ InterestPlane interestPlane(const NamedPlane& plane, Vec3d originWorld, int numb
 //   H. Chong, S. Gortler. A Lixel for every Pixel. 2004, section 3: C^floor, C^wall; table and floor.
 //
 // A plane with a polygon has the rays through the polygon: half-spaces through the light and the polygon's sides. Whole planes that
-// meet within the scene part their rays at the line where they meet: each has those that come to it first.
+// meet within the scene part their rays at the line where they meet: each has those that come to it first. Planes that face away
+// take no rays from others. With wantsWholePixels cells end at their planes: what is behind a table as the light sees it, such as
+// the floor at the border of the table's shadow, is left to its own plane, whose lixels are its pixels.
 //
 //   Returns  up to eight cells. Receivers in none of them are left, to an else(...)
 //   Refuses  NoSuchPlane, where there are no planes

@@ -3,6 +3,20 @@
 const percentileColumns = (label, key, names, unit) => names.map(name =>
   column(`${label} ${name}`, row => row[key]?.[name] ?? null, numberText, unit));
 
+// Light-facing samples on any of the scene's planes, or on none of them.
+function planeErrors(row, isOn) {
+  const counts = (row.planes ?? []).filter(one => (one.plane !== null) === isOn);
+  const sum = key => counts.reduce((total, one) => total + one[key], 0);
+  return sum("samples") ? 100 * sum("misclassified") / sum("samples") : null;
+}
+
+// "floor 350×350, rest 128×128; without wall (plane-faces-away)".
+function mapsText(row) {
+  const maps = (row.regions ?? []).map(({plane, lixels}) => `${plane ?? "rest"} ${lixels[0]}×${lixels[1]}`).join(", ");
+  const without = (row.left_out ?? []).map(({plane, reason}) => `${plane} (${reason})`).join(", ");
+  return without ? `${maps}; without ${without}` : maps || kNone;
+}
+
 function showRows() {
   const group = {...column("View", groupName), title: "View and light; shows its pictures", open: row => openView(row)};
   const columns = [
@@ -18,6 +32,11 @@ function showRows() {
   if (measured.some(row => row.agreement_with !== undefined)) columns.push(
     column("Agreement %", "agreement_percent", percentText, "samples for which both executors say the same"),
     column("Shared errors %", "shared_misclassified_percent", percentText, "of the samples that either got wrong"));
+  if (measured.some(row => row.planes)) columns.push(
+    column("On planes %", row => planeErrors(row, true), percentText, "of samples on the scene's planes"),
+    column("Off planes %", row => planeErrors(row, false), percentText, "of all other samples"));
+  if (measured.some(row => row.regions?.some(one => one.plane !== null) || row.left_out)) columns.push(
+    {...column("Maps", mapsText), title: "of planes and of the rest, lixels; planes without a map, and why"});
   const inZone = (label, key) => column(label, row => row.temporal?.[key] ?? null, percentText,
     "of those points, in this zone of the earlier frame");
   if (isPath) columns.push(
@@ -40,5 +59,7 @@ function showRefused() {
 showHead();
 showSummary();
 startPictures();
+showReproduction();
+showStudy();
 showRows();
 showRefused();

@@ -37,7 +37,7 @@ void addRoom(Scene& scene)
     addStatic(scene, "window bars", bars, addMaterial(scene, 0xf4f1ea));
     addPlane(scene, "floor", {0, 0, 0}, {0, 1, 0});
     addPlane(scene, "wall", {0, 0, kBack}, {0, 0, 1});
-    const double x = 0.5 * kTableWidth, z = 0.5 * kTableDepth, y = kTableHeight;
+    const double x = 0.5 * kTableWidth, z = 0.5 * kTableDepth, y = kTableHeight - kSink;
     addPlane(scene, "table", {0, y, 0}, {0, 1, 0}, {{-x, y, -z}, {-x, y, z}, {x, y, z}, {x, y, -z}});
 }
 

@@ -1,0 +1,44 @@
+// A paper's experiment run again: its numbers beside ours, and its figures.
+
+const experiment = run.reproduction;
+
+function showReproduction() {
+  byId("experiment").hidden = !experiment;
+  if (!experiment) return;
+  byId("experiment-title").textContent = experiment.name;
+  byId("experiment-paper").textContent = experiment.paper;
+  byId("experiment-question").textContent = experiment.question;
+  byId("parameters").replaceChildren(...Object.entries(experiment.parameters).flatMap(([name, value]) =>
+    [element("dt", {}, name), element("dd", {}, value)]));
+  const numbers = [...experiment.numbers, ...experiment.timing.numbers];
+  byId("numbers-table").replaceChildren(sortableTable("Numbers of the experiment", [
+    column("Number", "key"), column("Ours", "ours", numberText),
+    ...(numbers.some(number => number.papers !== null) ? [column("Paper", "papers", numberText)] : []),
+    column("Unit", "unit"), {...column("In the paper", "source"), className: "message"},
+  ], numbers, true));
+  byId("figures").replaceChildren(...experiment.figures.map(makeFigure));
+}
+
+function makeFigure(figure) {
+  const rows = figure.techniques.map(technique => run.results.find(row => row.technique === technique
+    && ["scene", "view", "light"].every(key => row[key] === figure[key]))).filter(row => row?.pictures?.shaded);
+  const made = element("figure", {class: "figure"}, element("figcaption", {}, figure.title,
+    element("button", {type: "button", onclick: () => openView(rows.at(-1))}, "Compare")));
+  const panels = element("div", {class: "panels"}, ...rows.map(row => makePanel(row, figure.enlarged)));
+  made.append(panels);
+  return made;
+}
+
+// The picture with a frame around what is enlarged below it.
+function makePanel(row, {left, top, side}) {
+  const whole = element("canvas"), enlarged = element("canvas", {width: side, height: side, class: "enlarged"});
+  drawLayers(whole, row, {}).then(() => {
+    enlarged.getContext("2d").drawImage(whole, left, top, side, side, 0, 0, side, side);
+    const context = whole.getContext("2d");
+    context.lineWidth = Math.max(2, whole.width / 200);
+    context.strokeStyle = "#fff";
+    context.strokeRect(left, top, side, side);
+  });
+  return element("div", {class: "panel"}, element("strong", {title: row.technique_full}, row.technique), whole, enlarged,
+    element("span", {class: "figures"}, `${percentText(row.misclassified_percent)} % misclassified`));
+}
