@@ -73,6 +73,10 @@ void plan(benchmark::State& state, const std::string& technique, LightKind kind,
     input.lixels = {512, 512};
     const ViewSamples samples = floorSamples(input.view, extent, sampleCount);
     if (sampleCount > 0) input.seen = &samples;
+    // The floor, and a wall across its far end.
+    const std::vector<NamedPlane> planes{{"floor", {0, 0, 0}, {0, 1, 0}, {}},
+                                         {"wall", {0, 0, -0.5 * extent}, {0, 0, 1}, {}}};
+    input.planes = planes;
     FitScratch scratch;
     FramePlan plan;
     for (auto _ : state) {
@@ -104,15 +108,18 @@ const bool registered = [] {
         LightKind kind;
         const char* name;
     } kinds[] = {{LightKind::Directional, "sun"}, {LightKind::Spot, "spot"}, {LightKind::Point, "point"}};
-    for (const char* technique : {"uniform", "focused", "focused(stable)", "minimal-frustum", "psm", "tsm", "lispsm",
-                                  "lispsm(stable)", "pssm(4)", "pssm(4)+lispsm", "cube"})
+    for (const char* technique :
+         {"uniform", "focused", "focused(stable)", "minimal-frustum", "psm", "tsm", "lispsm", "lispsm(stable)",
+          "pssm(4)", "pssm(4)+lispsm", "cube", "planes(floor)+plane-optimal(uncovered=lit)", "planes(floor,wall)",
+          "planes(floor,wall)+allocation=exact"})
         for (const auto& [kind, kindName] : kinds)
             for (const int boxes : {1, 100, 10000})
                 benchmark::RegisterBenchmark(
                     (std::string(technique) + "/" + kindName + "/boxes:" + std::to_string(boxes)).c_str(), plan,
                     technique, kind, boxes, 0)
                     ->Unit(benchmark::kMicrosecond);
-    for (const char* technique : {"desired-view", "desired-view(rotated)", "sdsm(4)", "lispsm"})
+    for (const char* technique :
+         {"desired-view", "desired-view(rotated)", "sdsm(4)", "lispsm", "planes(floor,wall)", "planes(auto)"})
         for (const int samples : {1024, 32400, 1048576})
             benchmark::RegisterBenchmark(
                 (std::string(technique) + "/sun/boxes:100/samples:" + std::to_string(samples)).c_str(), plan, technique,

@@ -53,19 +53,24 @@ struct Wanting
 {
     std::span<const double> shares;
     std::span<const Need> needs;
+    double reach;
 
     std::size_t size() const { return shares.size(); }
-    Wanting first(std::size_t n) const { return {shares.first(n), needs.first(n)}; }
-    Wanting after(std::size_t n) const { return {shares.subspan(n), needs.subspan(n)}; }
+    Wanting first(std::size_t n) const { return {shares.first(n), needs.first(n), reach}; }
+    Wanting after(std::size_t n) const { return {shares.subspan(n), needs.subspan(n), reach}; }
 };
+
+// What place() leaves of a side.
+double withinBand(int lixels, double reach) { return std::max(lixels - 2 * reach, 0.5); }
 
 // The pieces with the least predicted error, which is returned.
 double leastError(LixelRectangle whole, const Wanting& wanting, std::span<LixelRectangle> pieces,
                   std::span<bool> turned)
 {
     if (wanting.size() == 1) {
-        const double upright = wanting.needs[0].within(whole.width(), whole.height());
-        const double across = wanting.needs[0].within(whole.height(), whole.width());
+        const double width = withinBand(whole.width(), wanting.reach),
+                     height = withinBand(whole.height(), wanting.reach);
+        const double upright = wanting.needs[0].within(width, height), across = wanting.needs[0].within(height, width);
         pieces[0] = whole;
         turned[0] = across < upright;
         return std::min(upright, across);
@@ -78,8 +83,16 @@ double leastError(LixelRectangle whole, const Wanting& wanting, std::span<LixelR
     };
     if (wanting.size() > kMostTried || std::min(whole.width(), whole.height()) < 2)
         return cutAcross(whole.width() >= whole.height());
-    const double alongX = cutAcross(true), alongY = cutAcross(false);
-    return alongX < alongY ? cutAcross(true) : alongY;
+    const double alongX = cutAcross(true);
+    FixedVector<LixelRectangle, kMostTried> piecesAlongX;
+    FixedVector<bool, kMostTried> turnedAlongX;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        piecesAlongX.push_back(pieces[i]), turnedAlongX.push_back(turned[i]);
+    const double alongY = cutAcross(false);
+    if (!(alongX < alongY)) return alongY;
+    std::copy(piecesAlongX.begin(), piecesAlongX.end(), pieces.begin());
+    std::copy(turnedAlongX.begin(), turnedAlongX.end(), turned.begin());
+    return alongX;
 }
 
 } // namespace
@@ -112,12 +125,24 @@ bool cutRectangle(LixelRectangle whole, std::span<const double> shares, std::spa
 }
 
 bool cutRectangleByNeed(LixelRectangle whole, std::span<const double> shares, std::span<const Need> needs,
-                        std::span<LixelRectangle> pieces, std::span<bool> turned)
+                        std::span<LixelRectangle> pieces, std::span<bool> turned, double reach)
 {
     LX_ASSERT(shares.size() == pieces.size() && needs.size() == pieces.size() && turned.size() == pieces.size());
-    LX_ASSERT(!pieces.empty());
+    LX_ASSERT(!pieces.empty() && pieces.size() <= kMostRectangles);
     if (lixelsOf(whole) < std::int64_t(shares.size())) return false;
-    leastError(whole, {shares, needs}, pieces, turned);
+    const double error = leastError(whole, {shares, needs, reach}, pieces, turned);
+    // Halving may miss what even shares reach.
+    FixedVector<double, kMostRectangles> even;
+    FixedVector<LixelRectangle, kMostRectangles> evenPieces;
+    FixedVector<bool, kMostRectangles> evenTurned;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        even.push_back(1.0 / double(pieces.size())), evenPieces.push_back({}), evenTurned.push_back(false);
+    const Wanting evenly{{even.data(), even.size()}, needs, reach};
+    if (leastError(whole, evenly, {evenPieces.data(), evenPieces.size()}, {evenTurned.data(), evenTurned.size()}) <
+        error) {
+        std::copy(evenPieces.begin(), evenPieces.end(), pieces.begin());
+        std::copy(evenTurned.begin(), evenTurned.end(), turned.begin());
+    }
     return true;
 }
 

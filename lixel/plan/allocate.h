@@ -26,10 +26,10 @@ void sharesByNeed(std::span<double> needs);
 // where there are fewer lixels than pieces.
 bool cutRectangle(LixelRectangle whole, std::span<const double> shares, std::span<LixelRectangle> pieces);
 
-// The same with pieces shaped for their needs: of all ways to halve along either side, the one with the least predicted error. A
-// piece may be used turned by a right angle: `turned` says so.
+// The same with pieces shaped for their needs: of all ways to halve along either side, by the shares or evenly, the one with the least predicted error. A
+// piece may be used turned by a right angle: `turned` says so. `reach` lixels along each side of a piece are guard band (place.h).
 bool cutRectangleByNeed(LixelRectangle whole, std::span<const double> shares, std::span<const Need> needs,
-                        std::span<LixelRectangle> pieces, std::span<bool> turned);
+                        std::span<LixelRectangle> pieces, std::span<bool> turned, double reach = 0);
 
 // Packs rectangles of given sizes side by side, without turning them, and says how large the whole became: shelves of falling
 // height, about as wide as high.

@@ -60,9 +60,17 @@ void gatherSeen(const PlanInput& input, const Light& light, FitScratch& scratch)
     }
 }
 
-bool holdsPoint(const CellPlanes& cell, Vec3d p)
+// Of half-spaces in float: of their numbers, three products and three sums.
+constexpr double kFloatRounding = 4 * 0x1p-24;
+
+// Whether a point is in a cell, by more than rounding of so much of the terms.
+bool holdsPoint(const CellPlanes& cell, Vec3d p, double rounding = 0)
 {
-    return std::all_of(cell.begin(), cell.end(), [&](const Plane& plane) { return plane.signedDistance(p) >= 0; });
+    return std::all_of(cell.begin(), cell.end(), [&](const Plane& plane) {
+        const Vec3d n = plane.normal;
+        const double terms = std::abs(n.x * p.x) + std::abs(n.y * p.y) + std::abs(n.z * p.z) + std::abs(plane.offset);
+        return plane.signedDistance(p) >= rounding * terms;
+    });
 }
 
 void gatherSeenIn(const CellPlanes& cell, std::span<const Vec3d> seenLocal, std::vector<Vec3d>& inside)
@@ -190,11 +198,11 @@ std::optional<FitFailure> LightPlanner::addAll(const Partition& partition, const
     return refused;
 }
 
-// The one that serves a receiver; nothing where none does.
-LightPlanner::Candidate* LightPlanner::serving(Vec3d pointLocal)
+// The one that serves a receiver, also where its half-spaces are rounded by so much of their terms; nothing where none does.
+LightPlanner::Candidate* LightPlanner::serving(Vec3d pointLocal, double rounding)
 {
     const auto found = std::find_if(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
-        if (!holdsPoint(candidate.halfSpacesLocal, pointLocal)) return false;
+        if (!holdsPoint(candidate.halfSpacesLocal, pointLocal, rounding)) return false;
         const Vec4d c = candidate.fit.lightClipFromLocal * point(pointLocal);
         return c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z <= c.w;
     });
@@ -214,7 +222,7 @@ bool LightPlanner::keepUnserved()
     if (!input_.seen) return true;
     scratch_.seenUnservedLocal.clear();
     for (const Vec3d& p : triedLocal_.value_or(scratch_.seenLocal))
-        if (!serving(p)) scratch_.seenUnservedLocal.push_back(p);
+        if (!serving(p, kFloatRounding)) scratch_.seenUnservedLocal.push_back(p);
     seenLocal_ = scratch_.seenUnservedLocal;
     return !seenLocal_.empty() || !input_.seenIsAll;
 }
@@ -229,12 +237,13 @@ void LightPlanner::findUnservedRays()
     fitInput_.cellLocal.clear();
     if (isOfSamples) {
         if (!input_.seen || !input_.seenIsAll) return;
-        raysThrough(fitInput_, space, seenLocal_, scratch_.rays);
+        scratch_.pointsOfRays.assign(seenLocal_.begin(), seenLocal_.end());
+        raysThrough(fitInput_, space, scratch_.pointsOfRays, scratch_.rays);
         isCropping_ = true;
         return;
     }
-    findVisiblePoints(fitInput_, scratch_.points);
-    raysThrough(fitInput_, space, scratch_.points, scratch_.rays);
+    findVisiblePoints(fitInput_, scratch_.pointsOfRays);
+    raysThrough(fitInput_, space, scratch_.pointsOfRays, scratch_.rays);
     isCropping_ = takeAwayServed(space);
 }
 
@@ -262,7 +271,7 @@ bool LightPlanner::takeAwayServed(const RaySpace& space)
     for (const Candidate& candidate : candidates_) {
         if (candidate.fit.narrowedToLocal) return false;
         FixedVector<Vec3d, 2 * CellPlanes::capacity()> insides;
-        for (const CellPlanes* planes : {&candidate.halfSpacesLocal, &candidate.fit.holdsLocal})
+        for (const CellPlanes* planes : {&candidate.ownLocal, &candidate.fit.holdsLocal})
             for (const Plane& plane : *planes) {
                 if (!space.holdsLight(plane, sceneSize)) {
                     if (!holdsAllSeen(plane)) return false;
@@ -284,7 +293,14 @@ std::optional<Fit> LightPlanner::cropped(const Fit& fit, const Cell& cell)
         if (!space.holdsLight(plane, fitInput_.sceneLocal.diagonal())) continue;
         for (RayPolygon& polygon : scratch_.raysRoom) polygon = clipped(polygon, space.insideOf(plane));
     }
-    return croppedTo(fit, space, scratch_.raysRoom, scratch_.plane);
+    std::span<const Vec3d> held = scratch_.pointsOfRays;
+    if (fit.isOfSamples) {
+        held = fitInput_.seenLocal;
+    } else if (!cell.holdsLocal.empty()) {
+        findVisiblePoints(fitInput_, scratch_.points);
+        held = scratch_.points;
+    }
+    return croppedTo(fit, space, scratch_.raysRoom, held, scratch_.plane);
 }
 
 std::optional<FitFailure> LightPlanner::add(const Cell& cell, const FitChoice& fit)
@@ -301,11 +317,22 @@ std::optional<FitFailure> LightPlanner::add(const Cell& cell, const FitChoice& f
     std::optional<Fit> chosen = *result;
     if (isCropping_) chosen = cropped(*result, cell);
     if (!chosen) return FitFailure::NothingInView;
-    Candidate candidate{*chosen, cell.servesLocal, cell.planeNumber, {}, {}};
+    Candidate candidate{*chosen, cell.ownLocal, cell.servesLocal, cell.planeNumber, {}, {}};
     if (chosen->pixels && cell.plane) candidate.pixelPlaneLocal = turnedToLight(cell.plane->planeLocal);
     if (chosen->narrowedToLocal) candidate.halfSpacesLocal.push_back(*chosen->narrowedToLocal);
     candidates_.push_back(candidate);
     return std::nullopt;
+}
+
+// What a first pass left of the budget's rectangle, without rows or columns, whichever leaves more. Nothing where it took all.
+std::optional<LixelRectangle> LightPlanner::leftOfBudget(int layer) const
+{
+    const auto [width, height] = input_.lixels;
+    const auto spentOf = [&](int length) { return (input_.lixelsSpent + length - 1) / length; };
+    const std::int64_t rows = height - spentOf(width), columns = width - spentOf(height);
+    if (std::max(rows, columns) < 1) return std::nullopt;
+    if (rows * width >= columns * height) return LixelRectangle{0, 0, width, int(rows), layer};
+    return LixelRectangle{0, 0, int(columns), height, layer};
 }
 
 // Sizes where some maps have a lixel a pixel and a guard band around; the others share the rest, as squares. False where that is
@@ -326,12 +353,17 @@ bool LightPlanner::sizeAll(const LookupLayout& lookup, std::span<LixelSize> size
     }
     if (left < std::int64_t(shares.size())) return false;
     if (shares.empty()) return true;
+    const std::int64_t all = left;
     sharesByNeed({shares.data(), shares.size()});
     std::size_t next = 0;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         if (candidates_[i].fit.pixels) continue;
-        const int side = std::max(1, int(std::sqrt(shares[next++] * double(left))));
+        // A lixel is kept for each that is still to come.
+        const std::int64_t most = left - std::int64_t(shares.size() - next - 1);
+        const double share = shares[next] * double(all);
+        const int side = std::max(1, int(std::sqrt(std::min(share, double(most)))));
         sizes[i] = {side, side};
+        left -= std::int64_t(side) * side, ++next;
     }
     return true;
 }
@@ -363,14 +395,14 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
         given = {sizes.data(), sizes.size()};
     }
     if (given.empty()) {
-        const int spent = int((input_.lixelsSpent + input_.lixels.width - 1) / input_.lixels.width);
-        const LixelRectangle whole{0, 0, input_.lixels.width, std::max(1, input_.lixels.height - spent), layer};
+        const auto whole = leftOfBudget(layer);
+        if (!whole) return false;
         sharesByNeed({shares.data(), shares.size()});
         areTurned = known > 0 && std::isfinite(known);
-        const bool isCut = areTurned
-                               ? cutRectangleByNeed(whole, {shares.data(), shares.size()}, {needs.data(), needs.size()},
-                                                    pieces, {turned.data(), turned.size()})
-                               : cutRectangle(whole, {shares.data(), shares.size()}, pieces);
+        const bool isCut =
+            areTurned ? cutRectangleByNeed(*whole, {shares.data(), shares.size()}, {needs.data(), needs.size()}, pieces,
+                                           {turned.data(), turned.size()}, lookup.reach)
+                      : cutRectangle(*whole, {shares.data(), shares.size()}, pieces);
         if (!isCut) return false;
         atlas = {std::max(atlas.width, input_.lixels.width), std::max(atlas.height, input_.lixels.height)};
     } else {

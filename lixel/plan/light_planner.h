@@ -29,7 +29,7 @@ private:
     struct Candidate
     {
         Fit fit;
-        CellPlanes halfSpacesLocal; // asked of receivers
+        CellPlanes ownLocal, halfSpacesLocal; // its own rays; asked of receivers
         int plane = -1;
         Need need;
         std::optional<Plane> pixelPlaneLocal; // of a map with a lixel a pixel
@@ -44,7 +44,7 @@ private:
     std::optional<FitFailure> addElseTo(std::optional<FitFailure> refused);
     std::optional<FitFailure> addAll(const Partition& partition, const FitChoice& fit);
     std::optional<FitFailure> add(const Cell& cell, const FitChoice& fit);
-    Candidate* serving(Vec3d pointLocal);
+    Candidate* serving(Vec3d pointLocal, double rounding = 0);
     bool keepUnserved();
     void findNeeds();
     void findUnservedRays();
@@ -52,6 +52,7 @@ private:
     bool holdsAllSeen(const Plane& plane) const;
     bool takeAwayServed(const RaySpace& space);
     std::optional<Fit> cropped(const Fit& fit, const Cell& cell);
+    std::optional<LixelRectangle> leftOfBudget(int layer) const;
     bool sizeAll(const LookupLayout& lookup, std::span<LixelSize> sizes) const;
 
     const PlanInput& input_;

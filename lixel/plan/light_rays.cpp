@@ -8,8 +8,14 @@
 namespace lixel {
 namespace {
 
-// Sets overlap by this part at their common borders, for the rounding of those who ask on which side they are.
-constexpr double kOverlap = 1e-6;
+// What is thinner than this, of angles, is rounding.
+constexpr double kSliver = 1e-12;
+
+// A map has this much room around its rays, of half the fit it was cut from.
+constexpr double kRoom = 1e-6;
+
+// Of the directions of rays, and of the sums that their images are.
+constexpr double kDoubleRounding = 16 * 0x1p-53;
 
 // So many convex pieces are worth their time.
 constexpr std::size_t kMostPieces = 256;
@@ -17,7 +23,7 @@ constexpr std::size_t kMostPieces = 256;
 // A light within this part of the scene's size of a plane lies in it, but for rounding.
 constexpr double kInPlane = 1e-9;
 
-// Clips to where dot(inside, ray) >= least |inside| |ray|.
+// Clips to where dot(inside, ray) >= least |inside| |ray|; a polygon that would have too many corners stays whole.
 RayPolygon clippedBeyond(const RayPolygon& polygon, Vec3d inside, double least)
 {
     RayPolygon out;
@@ -28,11 +34,15 @@ RayPolygon clippedBeyond(const RayPolygon& polygon, Vec3d inside, double least)
     double atBefore = excess(before);
     for (const Vec3d& ray : polygon) {
         const double at = excess(ray);
-        if ((at >= 0) != (atBefore >= 0) && out.size() < kMostRayCorners) {
+        if ((at >= 0) != (atBefore >= 0)) {
+            if (out.size() == kMostRayCorners) return polygon;
             const double share = atBefore / (atBefore - at);
             out.push_back((1 - share) * before + share * ray);
         }
-        if (at >= 0 && out.size() < kMostRayCorners) out.push_back(ray);
+        if (at >= 0) {
+            if (out.size() == kMostRayCorners) return polygon;
+            out.push_back(ray);
+        }
         before = ray, atBefore = at;
     }
     if (out.size() < 3) out.clear();
@@ -85,8 +95,9 @@ bool RaySpace::holdsLight(const Plane& planeLocal, double sceneSize) const
 
 Vec4d RaySpace::imageOf(Vec3d ray) const
 {
-    if (isParallel_) return point(ray.x * right_ + ray.y * up_);
-    return direction(ray);
+    if (!isParallel_) return direction(ray);
+    const Vec3d across = ray.x * right_ + ray.y * up_;
+    return {across.x, across.y, across.z, ray.z};
 }
 
 RayPolygon clipped(const RayPolygon& polygon, Vec3d inside) { return clippedBeyond(polygon, inside, 0); }
@@ -131,7 +142,7 @@ void subtract(std::vector<RayPolygon>& rays, std::span<const Vec3d> insides, std
         for (const Vec3d& inside : insides) {
             if (left.empty()) break;
             if (isAll(left, inside)) continue;
-            const RayPolygon outside = clippedBeyond(left, -1.0 * inside, -kOverlap);
+            const RayPolygon outside = clippedBeyond(left, -1.0 * inside, kSliver);
             if (!outside.empty()) room.push_back(outside);
             left = clipped(left, inside);
         }
@@ -140,35 +151,50 @@ void subtract(std::vector<RayPolygon>& rays, std::span<const Vec3d> insides, std
     rays.swap(room);
 }
 
+LightFrame RaySpace::frameOf(const Fit& fit) const
+{
+    const Mat4d& clip = fit.lightClipFromLocal;
+    LightFrame frame;
+    frame.framedFromLocal = clip;
+    frame.framedFromLocal.setRow(0, (1 / length(xyz(clip.row(0)))) * clip.row(0));
+    frame.framedFromLocal.setRow(1, (1 / length(xyz(clip.row(1)))) * clip.row(1));
+    frame.isPerspective = !isParallel_;
+    if (!isParallel_) frame.apexLocal = lightLocal_;
+    return frame;
+}
+
 std::optional<Fit> croppedTo(const Fit& fit, const RaySpace& space, std::span<const RayPolygon> rays,
-                             FitScratch::OnPlane& scratch)
+                             std::span<const Vec3d> pointsLocal, FitScratch::OnPlane& scratch)
 {
     if (fit.snapsToWorld || fit.pixels) return fit;
     const Mat4d& clip = fit.lightClipFromLocal;
     const Vec4d x = clip.row(0), y = clip.row(1), w = clip.row(3);
     const std::array<Vec3d, 4> sides{space.insideOf({xyz(w + x), (w + x).w}), space.insideOf({xyz(w - x), (w - x).w}),
                                      space.insideOf({xyz(w + y), (w + y).w}), space.insideOf({xyz(w - y), (w - y).w})};
-    // In units of the light plane, so that areas and right angles are those of lixels.
-    const double perX = 1 / length(xyz(x)), perY = 1 / length(xyz(y));
+    const LightFrame frame = space.frameOf(fit);
     scratch.points.clear();
+    double rounding = 0; // of rays, in their image
     for (const RayPolygon& polygon : rays) {
         RayPolygon within = polygon;
         for (const Vec3d& side : sides) within = clipped(within, side);
         for (const Vec3d& ray : within) {
-            const Vec4d q = clip * space.imageOf(ray);
+            const Vec4d q = frame.framedFromLocal * space.imageOf(ray);
             if (!(q.w > 0)) return fit;
-            scratch.points.push_back({perX * q.x / q.w, perY * q.y / q.w});
+            rounding = std::max(rounding, kDoubleRounding * length(ray) / q.w);
+            scratch.points.push_back({q.x / q.w, q.y / q.w});
         }
     }
     if (scratch.points.empty()) return std::nullopt;
     scratch.hull.resize(scratch.points.size() + 1);
     const std::size_t corners = convexHull(scratch.points, scratch.hull);
+    const double perX = 1 / length(xyz(x)), perY = 1 / length(xyz(y)), least = kRoom * std::max(perX, perY) + rounding;
     OrientedRectangle r = minimumAreaRectangle({scratch.hull.data(), corners});
-    const double least = 1e-6 * std::max(perX, perY);
-    r.halfSize = {(1 + kOverlap) * r.halfSize.x + least, (1 + kOverlap) * r.halfSize.y + least};
+    r.halfSize = {(1 + kRoom) * r.halfSize.x + least, (1 + kRoom) * r.halfSize.y + least};
+    r = resolved(r, {frame, pointsLocal, pointsLocal});
     if (!(r.area() < 4 * perX * perY)) return fit;
     const auto along = [&](Vec2d axis, double half) {
-        return (1 / half) * (axis.x * perX * x + axis.y * perY * y - dot(axis, r.centre) * w);
+        const Mat4d& framed = frame.framedFromLocal;
+        return (1 / half) * (axis.x * framed.row(0) + axis.y * framed.row(1) - dot(axis, r.centre) * w);
     };
     Fit out = fit;
     out.lightClipFromLocal.setRow(0, along(r.axis, r.halfSize.x));

@@ -29,25 +29,29 @@ public:
     // x, y and w in any light image but for a factor.
     Vec4d imageOf(Vec3d ray) const;
 
+    // A fit's image as a frame, in which areas and right angles are those of lixels: rows x and y are unit vectors.
+    LightFrame frameOf(const Fit& fit) const;
+
 private:
     bool isParallel_;
     Vec3d lightLocal_, right_, up_, back_;
 };
 
-// What of a polygon is inside a half-space; empty where nothing is.
+// What of a polygon is inside a half-space; empty where nothing is. All of it where that would have too many corners.
 RayPolygon clipped(const RayPolygon& polygon, Vec3d inside);
 
 // All rays through some points: one polygon around them, or, where they do not fit half a sphere, the whole sphere in eight.
 void raysThrough(const FitInput& input, const RaySpace& space, std::span<const Vec3d> pointsLocal,
                  std::vector<RayPolygon>& rays);
 
-// Takes away the rays inside all of some half-spaces, but for a little at their borders. What is left is cut into convex pieces.
+// Takes away the rays inside all of some half-spaces. What is left is cut into convex pieces; pieces that are nothing but rounding go.
 // A set that would be cut into more than a few hundred is left as it was.
 void subtract(std::vector<RayPolygon>& rays, std::span<const Vec3d> insides, std::vector<RayPolygon>& room);
 
-// The fit with its square drawn in to what of it some rays need: the rectangle of least area around them. Nothing where they miss
-// its image. Fits that keep to the world's grid, or in whose image some ray has no place, stay as they are.
+// The fit with its square drawn in to what of it some rays need: the rectangle of least area around them, with room for what floats may move
+// `pointsLocal` by, which it holds. Nothing where the rays miss its image. Fits that keep to the world's grid, or in whose image some
+// ray has no place, stay as they are.
 std::optional<Fit> croppedTo(const Fit& fit, const RaySpace& space, std::span<const RayPolygon> rays,
-                             FitScratch::OnPlane& scratch);
+                             std::span<const Vec3d> pointsLocal, FitScratch::OnPlane& scratch);
 
 } // namespace lixel

@@ -2,6 +2,7 @@
 // Coverage where geometry is degenerate and lixels are few: what is planned is finite and serves every receiver, or is refused by name.
 #include "plan/awkward_setups.h"
 
+#include "plan/planed_setups.h"
 #include "plan/receivers.h"
 
 #include <gtest/gtest.h>
@@ -17,9 +18,6 @@ using test::Rng;
 
 constexpr LixelSize kBudgets[] = {{512, 384}, {16, 16}, {512, 1}, {1, 512}, {2, 7}, {3, 3}, {1, 1}};
 
-// As far as a narrow rectangle has room for the reach; less a tenth of a lixel for the rounding of a map as narrow as they get.
-double reachIn(int lixels, double reach) { return std::min(reach, 0.5 * lixels - 0.5) - 0.1; }
-
 void expectFinite(const FramePlan& plan)
 {
     for (const shared::ShadowRegion& region : plan.regionTable)
@@ -29,15 +27,17 @@ void expectFinite(const FramePlan& plan)
         }
 }
 
-void expectServed(const FramePlan& plan, const ViewSamples& samples, bool isRoomy)
+void expectServed(const FramePlan& plan, const RandomSetup& setup, std::span<const NamedPlane> planes,
+                  const ViewSamples& samples, bool isRoomy)
 {
     for (std::size_t i = 0; i < samples.size(); ++i) {
         shared::LxReceiver receiver{};
         const PlannedRegion* region = test::serving(plan, samples.positionLocal[i], samples.normal[i], receiver);
         ASSERT_NE(region, nullptr) << "unserved";
-        if (!isRoomy) continue;
+        if (!isRoomy || !test::isMadeFor(*region, plan.lights[0], planes, setup, toDouble(samples.positionLocal[i])))
+            continue;
         const LixelRectangle& r = region->rectangle;
-        const double x = reachIn(r.width(), plan.lookup.reach), y = reachIn(r.height(), plan.lookup.reach);
+        const double x = test::reachIn(r.width(), plan.lookup.reach), y = test::reachIn(r.height(), plan.lookup.reach);
         EXPECT_GE(receiver.lixel.x, r.x0 + x);
         EXPECT_LE(receiver.lixel.x, r.x1 - x);
         EXPECT_GE(receiver.lixel.y, r.y0 + y);
@@ -63,10 +63,14 @@ TEST_P(Awkward, SetupsHaveFinitePlansThatServeEveryReceiverOrAreRefusedByName)
                         budget};
         if (rng.chance(0.7) || needsViewSamples(input.technique)) input.seen = &samples;
         input.seenIsAll = input.seen && rng.chance(0.5);
+        test::PlanedCase planed;
+        if (std::holds_alternative<PlanesPartition>(input.technique.partition))
+            planed.giveTo(input, setup, samples, rng, false);
         const FramePlan plan = planShadows(input);
         EXPECT_LE(plan.lixelsOf(0), std::int64_t(budget.width) * budget.height);
         expectFinite(plan);
-        if (!plan.lights[0].refused) expectServed(plan, samples, budget.width * budget.height >= 256);
+        if (!plan.lights[0].refused)
+            expectServed(plan, setup, planed.planes, samples, budget.width * budget.height >= 256);
         else if (samples.size() > 0) {
             EXPECT_NE(*plan.lights[0].refused, FitFailure::NothingInView);
         }
@@ -99,6 +103,7 @@ constexpr const char* kTechniques[] = {"uniform",
                                        "uniform+else(cube)"};
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Awkward, testing::ValuesIn(kTechniques), test::testName);
+INSTANTIATE_TEST_SUITE_P(Planes, Awkward, testing::ValuesIn(test::kPlaneTechniques), test::testName);
 
 } // namespace
 } // namespace lixel

@@ -2,6 +2,7 @@
 // Coverage: every receiver that faces the light lies, with the lookup's whole reach, inside the map of the region that serves it,
 // and whatever may shadow it projects to the same place; or the plan refuses by name.
 #include "plan/ordinary_setups.h"
+#include "plan/planed_setups.h"
 #include "plan/receivers.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ struct Tally
     }
 };
 
-void expectCovers(const RandomSetup& setup, const char* technique, Tally& tally, Rng& rng)
+void expectCovers(const RandomSetup& setup, const char* technique, bool isOrdinary, Tally& tally, Rng& rng)
 {
     const ViewSamples samples = test::anySamples(setup, rng);
     if (samples.size() == 0) return; // nothing is asked
@@ -41,6 +42,9 @@ void expectCovers(const RandomSetup& setup, const char* technique, Tally& tally,
                     std::get<MapTechnique>(*parseTechnique(technique)),
                     {512, 384}};
     input.seen = &samples;
+    test::PlanedCase planed;
+    if (std::holds_alternative<PlanesPartition>(input.technique.partition))
+        planed.giveTo(input, setup, samples, rng, isOrdinary);
     const FramePlan plan = planShadows(input);
     ++tally.cases;
     if (plan.lights[0].refused) {
@@ -48,20 +52,24 @@ void expectCovers(const RandomSetup& setup, const char* technique, Tally& tally,
         return;
     }
     EXPECT_LE(plan.lixelsOf(0), 512 * 384);
-    const double reach = plan.lookup.reach - 0.1; // rounding of a map as narrow as fits make them (kLeastPerRounding)
     for (std::size_t i = 0; i < samples.size(); ++i) {
         shared::LxReceiver receiver{};
         const PlannedRegion* region = serving(plan, samples.positionLocal[i], samples.normal[i], receiver);
         ASSERT_NE(region, nullptr) << technique << ": unserved";
         const LixelRectangle& r = region->rectangle;
-        EXPECT_GE(receiver.lixel.x, r.x0 + reach);
-        EXPECT_LE(receiver.lixel.x, r.x1 - reach);
-        EXPECT_GE(receiver.lixel.y, r.y0 + reach);
-        EXPECT_LE(receiver.lixel.y, r.y1 - reach);
         const Vec3d p = toDouble(samples.positionLocal[i]);
+        const bool isMadeFor = test::isMadeFor(*region, plan.lights[0], planed.planes, setup, p);
+        if (isMadeFor) {
+            const double x = test::reachIn(r.width(), plan.lookup.reach),
+                         y = test::reachIn(r.height(), plan.lookup.reach);
+            EXPECT_GE(receiver.lixel.x, r.x0 + x);
+            EXPECT_LE(receiver.lixel.x, r.x1 - x);
+            EXPECT_GE(receiver.lixel.y, r.y0 + y);
+            EXPECT_LE(receiver.lixel.y, r.y1 - y);
+        }
         const Vec4d c = region->lightClipFromLocal * point(p);
         EXPECT_GT(c.w, 0);
-        EXPECT_LE(c.z / c.w, 1);
+        EXPECT_LE(c.z / c.w, region->plane < 0 ? 1 : 1 + 1e-6);
         // Anything between it and the light is drawn in the same place, no farther.
         const Vec3d caster = p + rng.uniform(0, 0.5) * setup.radius * towardsLight(setup.light, setup.originWorld, p);
         const Vec4d q = region->lightClipFromLocal * point(caster);
@@ -109,19 +117,20 @@ class Coverage : public testing::TestWithParam<const char*>
 TEST_P(Coverage, HoldsForEveryReceiverOfAnySetupOrIsRefusedByName)
 {
     Tally tally;
-    forEachCase(test::kCases, [&](Rng& rng) { expectCovers(test::anySetup(rng), GetParam(), tally, rng); });
+    forEachCase(test::kCases, [&](Rng& rng) { expectCovers(test::anySetup(rng), GetParam(), false, tally, rng); });
     print(GetParam(), tally);
 }
 
 TEST_P(Coverage, IsSeldomRefusedInOrdinarySetups)
 {
     Tally tally;
-    forEachCase(test::kCases, [&](Rng& rng) { expectCovers(test::ordinarySetup(rng), GetParam(), tally, rng); });
+    forEachCase(test::kCases, [&](Rng& rng) { expectCovers(test::ordinarySetup(rng), GetParam(), true, tally, rng); });
     print(GetParam(), tally);
     EXPECT_EQ(tally.refused(), 0); // the bar for warped fits is 2 %
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Coverage, testing::ValuesIn(kTechniques), test::testName);
+INSTANTIATE_TEST_SUITE_P(Planes, Coverage, testing::ValuesIn(test::kPlaneTechniques), test::testName);
 
 } // namespace
 } // namespace lixel

@@ -63,6 +63,7 @@ TEST_P(NoAllocation, FramesThatWerePlannedBeforeAllocateNothing)
         setups.push_back(test::ordinarySetup(rng));
         seen.push_back(floorSamples(setups.back(), rng));
     }
+    const std::vector<NamedPlane> planes{{"floor", {0, 0, 0}, {0, 1, 0}, {}}, {"wall", {0, 0, -10}, {0, 0, 1}, {}}};
     FitScratch scratch;
     FramePlan plan;
     PlanInput input;
@@ -75,6 +76,7 @@ TEST_P(NoAllocation, FramesThatWerePlannedBeforeAllocateNothing)
             input.casterBoxesWorld = setups[i].boxesWorld;
             input.originWorld = setups[i].originWorld;
             input.seen = &seen[i];
+            input.planes = planes;
             plan = planShadows(input, scratch, std::move(plan));
         }
     };
@@ -87,7 +89,9 @@ TEST_P(NoAllocation, FramesThatWerePlannedBeforeAllocateNothing)
 INSTANTIATE_TEST_SUITE_P(Techniques, NoAllocation,
                          testing::Values("uniform", "focused", "focused(stable)", "desired-view",
                                          "desired-view(rotated)", "minimal-frustum", "psm", "tsm", "lispsm",
-                                         "lispsm(stable)", "pssm(4)+lispsm", "sdsm(4)", "cube", "psm+else(cube)"));
+                                         "lispsm(stable)", "pssm(4)+lispsm", "sdsm(4)", "cube", "psm+else(cube)",
+                                         "planes(floor,wall)", "planes(floor,wall)+allocation=exact",
+                                         "planes(floor,wall)+plane-optimal(desired-view)", "planes(auto)"));
 
 TEST(NoAllocation, PlanesAreSoughtInTheSameRoomAgain)
 {

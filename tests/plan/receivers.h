@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <string>
 #include <string_view>
@@ -53,6 +54,9 @@ inline ViewSamples anySamples(const RandomSetup& setup, Rng& rng)
     }
     return samples;
 }
+
+// As far as a narrow rectangle has room for the reach; less a tenth of a lixel for the rounding of a map as narrow as they get.
+inline double reachIn(int lixels, double reach) { return std::min(reach, 0.5 * lixels - 0.5) - 0.1; }
 
 inline shared::vec3 toShared(Vec3f a) { return {a.x, a.y, a.z}; }
 

@@ -65,6 +65,7 @@ struct FitScratch
     // View samples that face the light, those of them that no region serves yet, and those of a region.
     std::vector<Vec3d> seenLocal, seenNormal, seenUnservedLocal, seenInCellLocal;
     std::vector<RayPolygon> rays, raysRoom; // those that no region serves yet
+    std::vector<Vec3d> pointsOfRays;        // what those rays were found from
     std::vector<NeedSample> need;
     std::vector<Vec3d> needLocal; // where they are
     PlaneScratch planes;

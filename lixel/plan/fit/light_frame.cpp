@@ -218,14 +218,6 @@ Fit fitSides(const LightFrame& frame, const OrientedRectangle& rectangle, double
     return {Mat4d::fromRows(along(a, rectangle.halfSize.x), along(b, rectangle.halfSize.y), w - 2.0 * left, w)};
 }
 
-// Not less than what floats of positions and of the map's rows resolve.
-OrientedRectangle resolved(OrientedRectangle rectangle, const FramedBody& body)
-{
-    const Vec2d rounding = roundingIn(body.frame, rectangle, body.points);
-    rectangle.halfSize = {withRoom(rectangle.halfSize.x, rounding.x), withRoom(rectangle.halfSize.y, rounding.y)};
-    return rectangle;
-}
-
 std::span<const Vec2d> cornersOnPlane(const FramedBody& body, FitScratch& scratch)
 {
     scratch.plane.points.clear();
@@ -356,6 +348,13 @@ Expected<FramedBody, FitFailure> visibleBody(const FitInput& input)
     findVisiblePoints(input, input.scratch.points);
     if (input.scratch.points.empty()) return Unexpected{FitFailure::NothingInView};
     return frameAround(input, input.scratch.points);
+}
+
+OrientedRectangle resolved(OrientedRectangle rectangle, const FramedBody& body)
+{
+    const Vec2d rounding = roundingIn(body.frame, rectangle, body.points);
+    rectangle.halfSize = {withRoom(rectangle.halfSize.x, rounding.x), withRoom(rectangle.halfSize.y, rounding.y)};
+    return rectangle;
 }
 
 OrientedRectangle rectangleAround(const FramedBody& body, RectangleKind kind, FitScratch& scratch)

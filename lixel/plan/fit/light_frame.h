@@ -85,6 +85,9 @@ OrientedRectangle rectangleAround(const FramedBody& body, RectangleKind kind, Fi
 // The same with one side along a unit vector of the light plane.
 OrientedRectangle rectangleAround(const FramedBody& body, Vec2d axis, FitScratch& scratch);
 
+// The rectangle with room for what floats of positions and of the map's rows may move the body's points by.
+OrientedRectangle resolved(OrientedRectangle rectangle, const FramedBody& body);
+
 // How far, of half the rectangle's size, floats of a fit's matrix may move the body's points in the map.
 double floatRounding(const FramedBody& body, const OrientedRectangle& rectangle);
 
