@@ -24,7 +24,7 @@ double meetingAt(const RandomSetup& setup, const Plane& plane, Vec3d p)
     const bool isParallel = setup.light.kind == LightKind::Directional;
     const Vec3d from = isParallel ? p - 1e3 * setup.radius * d : setup.light.positionWorld - setup.originWorld;
     const double t = -plane.signedDistance(from) / dot(plane.normal, d);
-    return t > 0 ? t : std::numeric_limits<double>::infinity();
+    return t > 0 || isParallel ? t : std::numeric_limits<double>::infinity();
 }
 
 bool isHeld(const CellPlanes& cell, Vec3d p, double room)
@@ -42,6 +42,16 @@ TEST(Planes, ARayBelongsToThePlaneThatItMeetsFirst)
         InterestPlanes planes;
         const Vec3d line = -1.0 * setup.originWorld;
         for (int i = 0; i < 2; ++i) planes.push_back({planeThrough(line, rng.onSphere()), {}, i});
+        // One that faces away has no map, and takes no ray from the other.
+        const Vec3d eye = setup.view.anchorWorld - setup.originWorld;
+        const auto isFacing = [&](const InterestPlane& plane) {
+            const Vec3d n = plane.planeLocal.normal;
+            const double ofLight = setup.light.kind == LightKind::Directional
+                                       ? -dot(n, setup.light.directionWorld)
+                                       : plane.planeLocal.signedDistance(setup.light.positionWorld - setup.originWorld);
+            return ofLight * plane.planeLocal.signedDistance(eye) > 0;
+        };
+        if (!isFacing(planes[0]) || !isFacing(planes[1])) return;
         const CellsResult cells = splitPlanes(input, {planes.data(), 2}, Twist::Line);
         ASSERT_TRUE(cells);
         ASSERT_EQ(cells->size(), 2u);

@@ -42,10 +42,27 @@ TEST(TechniqueText, ColonsStandForParenthesesAndKeysForPositions)
 
 TEST(TechniqueText, TheCanonicalFormParsesBackToTheSameValue)
 {
-    for (const char* text :
-         {"focused", "uniform+pcf(25)", "whole+uniform", "exact", "exact-area(16)", "pcf:4", "sdsm:3",
-          "cube+desired-view(rotated)", "tsm(focus=2.5)+else(pssm(3,lambda=0.7)+lispsm)+allocation=share",
-          "matrix(a b.json)", "plan(x.json)", "pssm(16,stable,lambda=1)+pcf", "sdsm(2,stable)", "psm(shift=none)"}) {
+    for (const char* text : {"focused",
+                             "uniform+pcf(25)",
+                             "whole+uniform",
+                             "exact",
+                             "exact-area(16)",
+                             "pcf:4",
+                             "sdsm:3",
+                             "cube+desired-view(rotated)",
+                             "tsm(focus=2.5)+else(pssm(3,lambda=0.7)+lispsm)+allocation=share",
+                             "matrix(a b.json)",
+                             "plan(x.json)",
+                             "pssm(16,stable,lambda=1)+pcf",
+                             "sdsm(2,stable)",
+                             "psm(shift=none)",
+                             "planes:floor:wall",
+                             "planes(floor,wall,twist=line)+plane-optimal(desired-view)+else(pssm(2))",
+                             "planes(auto)",
+                             "planes(auto,twist=none)+else(focused)",
+                             "planes(floor)+plane-optimal(uncovered=lit)",
+                             "planes(auto)+plane-optimal(uncovered=lit)",
+                             "planes(floor,my wall)+allocation=exact+pcf(9)"}) {
         const Technique technique = *parseTechnique(text);
         EXPECT_EQ(*parseTechnique(toString(technique)), technique) << text;
     }
@@ -82,6 +99,20 @@ TEST(TechniqueText, WhatIsWrongIsOneLineThatQuotesIt)
                              "sdsm(2,stable)+desired-view",
                              "tsm+focused(stable)",
                              "allocation=need",
+                             "planes",
+                             "planes()",
+                             "planes(floor,auto)",
+                             "planes(floor,floor)",
+                             "planes(floor,twist=loose)",
+                             "planes(floor,twist=line,twist=none)",
+                             "planes(a,b,c,d,e,f,g,h,i)",
+                             "plane-optimal",
+                             "planes(floor)+plane-optimal(uncovered=dark)",
+                             "planes(floor)+plane-optimal(uncovered=lit)+else(focused)",
+                             "planes(floor)+focused(stable)",
+                             "planes(floor)+else(planes(wall))",
+                             "pssm(2)+allocation=exact",
+                             "planes(floor)+focused+allocation=exact",
                              "pssm(2,stable)+allocation=need",
                              "pssm(2)+allocation=most",
                              "else(focused",
