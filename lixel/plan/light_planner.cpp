@@ -389,7 +389,7 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
     bool areTurned = false; // whether `turned` says so
     const std::span<LixelRectangle> pieces{rectangles.data(), rectangles.size()};
     std::span<const LixelSize> given = input_.lixelsOfRegions;
-    if (given.size() != pieces.size()) given = {};
+    if (given.size() != pieces.size() || input_.lixelsSpent > 0) given = {};
     if (fitInput_.wantsWholePixels) {
         if (!sizeAll(lookup, {sizes.data(), sizes.size()})) return false;
         given = {sizes.data(), sizes.size()};

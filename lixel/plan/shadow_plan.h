@@ -55,7 +55,7 @@ struct PlanInput
     bool seenIsAll =
         false; // it lists every receiver that will be asked: an else(...) that none of them needs has no map
     std::span<const LixelSize> lixelsOfRegions =
-        {};                                  // in the order of regions, in place of `lixels`, where there are as many
+        {}; // in the order of regions, in place of `lixels`, where there are as many and no first pass was drawn
     std::span<const GivenLight> given = {};  // for matrix(file) and plan(file)
     std::span<const NamedPlane> planes = {}; // that planes(...) may name
     // Where shadows end, as a first pass or an earlier frame saw it: shares and choices are made by it, else by `seen`.

@@ -257,16 +257,16 @@ std::string take(const Word& word, Parts& parts)
     return fmt::format("\"{}\" is not known; known are {}", word.name, knownWords());
 }
 
-// What plane-optimal brings along: what its planes do not hold goes to else(...), and planes(auto), which is made from view samples,
-// holds no more than those.
+// What planes bring along: what they do not hold goes to else(...), and maps of planes(auto), which is made from view samples, hold no
+// more than those.
 void completePlanes(MapTechnique& technique)
 {
     auto* fit = std::get_if<PlaneOptimalFit>(&technique.fit);
     const auto* planes = std::get_if<PlanesPartition>(&technique.partition);
-    if (!fit || !planes) return;
+    if (!planes) return;
     const bool isAuto = planes->names.empty();
-    fit->isOfSamples |= isAuto;
-    if (fit->uncoveredIsLit || technique.otherwise) return;
+    if (fit) fit->isOfSamples |= isAuto;
+    if ((fit && fit->uncoveredIsLit) || technique.otherwise) return;
     technique.otherwise = isAuto ? Fallback{WholePartition{}, DesiredViewFit{true}} : Fallback{};
 }
 

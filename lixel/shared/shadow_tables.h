@@ -14,7 +14,7 @@ struct ShadowRegion
     mat4 lightClipLow;      // what rounding to float took from it: the sum has the digits of a double
     vec4 lixelFromNdc;      // lixel = xy * ndc + zw: continuous, counted in its layer of the atlas, centres at + 1/2
     vec4 rectangle;         // first lixel x, y and end x, y (not included) that the region owns in its layer
-    vec4 serves;            // the part of it where receivers are served: the guard band is the next region's, where one follows
+    vec4 serves; // the part of it where receivers are served: the guard band is the next region's, where one follows
     vec4
         place; // x: layer; y, z: first and count of its half-spaces; w: 1 where points are to be taken through the matrix in double
     // (lxLightClip in light_clip.h), else 0
