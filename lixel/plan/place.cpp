@@ -10,8 +10,8 @@ namespace {
 // Sides of a map closer than this share are equal but for rounding, which must not turn it.
 constexpr double kEqual = 1e-9;
 
-// Lixels that rounding moves receivers by, at most, of the narrowest maps.
-constexpr double kRounding = 0.2;
+// Lixels that rounding moves receivers by, at most, in the narrowest maps (light_frame.cpp).
+constexpr double kRounding = 0.1;
 
 // Moves a parallel map along one axis, by half a lixel at most, so that the world's origin lies on a border of lixels.
 void snapRow(Mat4d& clip, int row, int lixels, Vec3d originWorld)

@@ -15,7 +15,7 @@ Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout&
             std::optional<bool> turn = {});
 
 // Lixels at the borders of a rectangle from where the lookup would reach beyond it: no receiver that place() knows of lies there, but
-// for a fifth of a lixel of rounding.
+// for a tenth of a lixel of rounding.
 double guardBand(const LixelRectangle& rectangle, const LookupLayout& lookup);
 
 } // namespace lixel

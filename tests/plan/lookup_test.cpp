@@ -117,7 +117,7 @@ TEST(Lookup, PcfGivesOneOfItsSharesAndStopsAtTheRectangle)
     for (int i = 0; i < 4; ++i)
         region.lightClipFromLocal[i] = {i == 0 ? 1.0f : 0, i == 1 ? 1.0f : 0, i == 2 ? 1.0f : 0, i == 3 ? 1.0f : 0};
     region.lixelFromNdc = {4, 4, 12, 12};
-    region.rectangle = {8, 8, 16, 16};
+    region.rectangle = region.serves = {8, 8, 16, 16};
     forEachCase(test::kCases, [&](Rng& rng) {
         const int side = rng.integer(1, 5);
         const shared::vec3 p{float(rng.uniform(-1, 1)), float(rng.uniform(-1, 1)), 0.5f};
