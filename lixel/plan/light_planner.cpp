@@ -413,7 +413,7 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
         regions.push_back({place(candidates_[i].fit, pieces[i], lookup, input_.originWorld,
                                  areTurned ? std::optional(turned[i]) : std::nullopt),
                            pieces[i], candidates_[i].halfSpacesLocal,
-                           i + 1 < candidates_.size() ? guardBand(pieces[i], lookup) : 0, candidates_[i].plane,
+                           i + 1 < candidates_.size() ? guardBand(pieces[i], lookup) : Vec2d{}, candidates_[i].plane,
                            needsDouble(candidates_[i].fit, pieces[i].width(), pieces[i].height()),
                            candidates_[i].fit.pixels, candidates_[i].pixelPlaneLocal});
     return true;

@@ -53,10 +53,12 @@ Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout&
     return clip;
 }
 
-double guardBand(const LixelRectangle& rectangle, const LookupLayout& lookup)
+Vec2d guardBand(const LixelRectangle& rectangle, const LookupLayout& lookup)
 {
-    const double room = 0.5 * std::min(rectangle.width(), rectangle.height()) - 0.5;
-    return std::max(0.0, std::min(lookup.reach, room) - kRounding);
+    const auto along = [&](int lixels) {
+        return std::max(0.0, std::min(lookup.reach, 0.5 * lixels - 0.5) - kRounding);
+    };
+    return {along(rectangle.width()), along(rectangle.height())};
 }
 
 } // namespace lixel

@@ -14,8 +14,8 @@ namespace lixel {
 Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout& lookup, Vec3d originWorld,
             std::optional<bool> turn = {});
 
-// Lixels at the borders of a rectangle from where the lookup would reach beyond it: no receiver that place() knows of lies there, but
+// Lixels at the borders of a rectangle, along x and y, from where the lookup would reach beyond it: no receiver that place() knows of lies there, but
 // for a tenth of a lixel of rounding.
-double guardBand(const LixelRectangle& rectangle, const LookupLayout& lookup);
+Vec2d guardBand(const LixelRectangle& rectangle, const LookupLayout& lookup);
 
 } // namespace lixel

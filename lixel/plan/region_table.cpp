@@ -34,8 +34,9 @@ shared::ShadowRegion tableRow(const PlannedRegion& region)
     row.lixelFromNdc = {0.5f * float(r.width()), 0.5f * float(r.height()), float(r.x0) + 0.5f * float(r.width()),
                         float(r.y0) + 0.5f * float(r.height())};
     row.rectangle = {float(r.x0), float(r.y0), float(r.x1), float(r.y1)};
-    const auto guard = float(region.guard);
-    row.serves = {row.rectangle.x + guard, row.rectangle.y + guard, row.rectangle.z - guard, row.rectangle.w - guard};
+    const Vec2f guard = toFloat(region.guard);
+    row.serves = {row.rectangle.x + guard.x, row.rectangle.y + guard.y, row.rectangle.z - guard.x,
+                  row.rectangle.w - guard.y};
     row.place = {float(r.layer), 0, 0, region.isInDouble ? 1.0f : 0.0f};
     if (region.pixelPlaneLocal) addPlane(*region.pixelPlaneLocal, region, row);
     return row;

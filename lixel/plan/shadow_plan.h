@@ -73,7 +73,7 @@ struct PlannedRegion
     Mat4d lightClipFromLocal; // lixel's convention; its NDC square is the whole rectangle
     LixelRectangle rectangle;
     CellPlanes halfSpacesLocal = {}; // what it asks of receivers that regions before it do not serve
-    double guard = 0;                // lixels at the rectangle's borders that serve no one: a later region does
+    Vec2d guard{};                   // lixels at the rectangle's borders that serve no one: a later region does
     int plane = -1;                  // of a plane's region: which of PlanInput::planes, or of planes(auto) those found
     bool isInDouble = false;         // floats of the matrix would move its lixels visibly
     std::optional<PixelRectangle> pixels = {}; // of a map with a lixel a pixel: those, its guard band not among them
