@@ -169,6 +169,7 @@ std::optional<FitFailure> LightPlanner::tryPlanes(const InterestPlanes& planes, 
     candidates_.clear();
     leftOut.clear();
     isCropping_ = false;
+    fitInput_.visibleLocal = {};
     seenLocal_ = triedLocal_.value_or(scratch_.seenLocal);
     fitInput_.cellLocal.clear();
     std::optional<FitFailure> refused = FitFailure::NoSuchPlane;
@@ -242,7 +243,9 @@ void LightPlanner::findUnservedRays()
         isCropping_ = true;
         return;
     }
+    fitInput_.visibleLocal = {};
     findVisiblePoints(fitInput_, scratch_.pointsOfRays);
+    fitInput_.visibleLocal = scratch_.pointsOfRays;
     raysThrough(fitInput_, space, scratch_.pointsOfRays, scratch_.rays);
     isCropping_ = takeAwayServed(space);
 }

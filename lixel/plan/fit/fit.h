@@ -117,6 +117,8 @@ struct FitInput
     bool isStable = false;                 // the map must not crawl as the camera moves
     std::optional<PlaneOfCell> plane = {}; // of a region that is for a plane
     bool wantsWholePixels = false;         // a lixel a pixel, where the fit can
+    std::span<const Vec3d> visibleLocal =
+        {}; // what findVisiblePoints() gives without a cell, where that is known already
 };
 
 // Needs nothing of the map's size. lightClipFromLocal is in lixel's convention (clip_convention.h): receivers that matter

@@ -177,6 +177,10 @@ void appendClippedBox(const Box& box, std::span<const Plane> planes, std::vector
 
 void findVisiblePoints(const FitInput& input, std::vector<Vec3d>& points)
 {
+    if (input.cellLocal.empty() && !input.visibleLocal.empty()) {
+        points.assign(input.visibleLocal.begin(), input.visibleLocal.end());
+        return;
+    }
     BodyPlanes planes;
     for (const Plane& plane : clipPlanes(clipFromLocal(input.view, input.originWorld))) planes.push_back(plane);
     addReached(input, planes);
