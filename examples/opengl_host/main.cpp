@@ -121,13 +121,16 @@ void run(const Options& options)
     for (const HostMesh& mesh : meshes) boxesWorld.push_back(mesh.boxWorld);
     ViewSamples seen;
     if (needsViewSamples(technique)) seen = renderer.see(view);
+    // What planes(ground) means in this world.
+    const std::vector<NamedPlane> planes{{"ground", {0, 0, 0}, {0, 1, 0}, {}}};
     const FramePlan plan = planShadows({.view = view,
                                         .lights = lights,
                                         .casterBoxesWorld = boxesWorld,
                                         .originWorld = view.anchorWorld,
                                         .technique = technique,
                                         .lixels = options.lixels,
-                                        .seen = seen.size() ? &seen : nullptr});
+                                        .seen = seen.size() ? &seen : nullptr,
+                                        .planes = planes});
     print(plan, lights);
 
     Picture own, called;
