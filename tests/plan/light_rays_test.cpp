@@ -130,13 +130,15 @@ TEST(LightRays, OfPointsAllRoundTheLightAreTheWholeSphereElseOnePolygonAroundAll
     EXPECT_GT(one, 1000);
 }
 
-// The square of a fit as a polygon of the light image: areas compare by determinants of rows x and y within it.
+// How many of one fit's square the other's has room for, both images of one light and with the same w: areas go with one over the
+// determinant of rows x, y and w, of parallel light with that of x and y across the light.
 double areaWithin(const Fit& fit, const Fit& square)
 {
-    // Corners of the cropped square in the other's image, by the rays through them: rows x, y, w span all three.
-    const Vec3d x = xyz(fit.lightClipFromLocal.row(0)), y = xyz(fit.lightClipFromLocal.row(1));
-    const Vec3d a = xyz(square.lightClipFromLocal.row(0)), b = xyz(square.lightClipFromLocal.row(1));
-    return length(cross(a, b)) / length(cross(x, y));
+    const auto determinant = [](const Mat4d& clip) {
+        const Vec3d across = cross(xyz(clip.row(0)), xyz(clip.row(1))), w = xyz(clip.row(3));
+        return length(w) > 0 ? std::abs(dot(across, w)) : length(across);
+    };
+    return determinant(square.lightClipFromLocal) / determinant(fit.lightClipFromLocal);
 }
 
 TEST(LightRays, AMapCutToSomeRaysHoldsThemAllAndNeverGrows)
