@@ -41,12 +41,14 @@ LX_FN vec3 lxAnyPerpendicular(vec3 n)
     return normalize(cross(n, other));
 }
 
-// Whether the point is on the side of a half-space that belongs to a region; a region is where all of its own hold.
+// Whether the point is on the side of a half-space that belongs to a region; a region is where all of its own hold. On its border, but
+// for what rounding may do, counts as inside: of two regions that share a border the first one serves it, and none loses it.
 LX_FN bool lxHolds(vec4 halfSpace, vec3 positionLocal)
 {
-    return halfSpace.x * positionLocal.x + halfSpace.y * positionLocal.y + halfSpace.z * positionLocal.z +
-               halfSpace.w >=
-           0.0f;
+    float x = halfSpace.x * positionLocal.x;
+    float y = halfSpace.y * positionLocal.y;
+    float z = halfSpace.z * positionLocal.z;
+    return x + y + z + halfSpace.w >= -LX_ROUNDING * (abs(x) + abs(y) + abs(z) + abs(halfSpace.w));
 }
 
 LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
