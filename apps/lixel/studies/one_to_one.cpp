@@ -149,7 +149,7 @@ int studyOneToOne(const StudyOptions& options)
     if (options.executor == "gl") {
         try {
             executor = std::make_unique<GlExecutor>();
-            study.onDevice.emplace();
+            study.onDevice = OneToOne::Deviations{};
             study.timing.host = executor->renderer() + ", " + study.timing.host;
         } catch (const gl::GraphicsError& error) {
             study.whyNotOnDevice = error.what();
