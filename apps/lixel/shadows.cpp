@@ -83,7 +83,7 @@ std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubjec
     const FramePlan firstPlan = planShadows(firstInput);
     std::vector<Visibility> visibility = executor.run(subject.stage, firstPlan, subject.seen);
     for (Visibility& light : visibility) light.value.resize(subject.seen.size(), 0.0f);
-    const Observation observed = observe(subject.seen, subject.view, subject.lights, visibility);
+    const Observation observed = observe(subject.seen, subject.view, subject.lights, visibility, first->grid);
     input.observed = &observed;
     input.lixelsSpent = std::int64_t(first->lixels.width) * first->lixels.height;
     return planShadows(input);
@@ -93,10 +93,11 @@ PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, c
                     std::span<const Visibility> visibility)
 {
     const auto* map = std::get_if<MapTechnique>(&choice.technique);
-    if (!map || !firstPassOf(*map, {1, 1})) return {};
+    const auto first = map ? firstPassOf(*map, {1, 1}) : std::nullopt;
+    if (!first) return {};
     std::vector<Visibility> all(visibility.begin(), visibility.end());
     for (Visibility& light : all) light.value.resize(subject.seen.size(), 0.0f);
-    PlanMemory memory{rememberedPlanes(plan), observe(subject.seen, subject.view, subject.lights, all)};
+    PlanMemory memory{rememberedPlanes(plan), observe(subject.seen, subject.view, subject.lights, all, first->grid)};
     memory.observed->ageFrames = 1;
     return memory;
 }

@@ -40,6 +40,11 @@ public:
         ::new (static_cast<void*>(room_ + size_ * sizeof(T))) T(value);
         ++size_;
     }
+    void pop_back()
+    {
+        LX_ASSERT(size_ > 0);
+        --size_;
+    }
     void clear() { size_ = 0; }
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }

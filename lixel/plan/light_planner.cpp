@@ -7,6 +7,7 @@
 #include "lixel/plan/fit/minimal_frustum.h"
 #include "lixel/plan/fit/plane_optimal.h"
 #include "lixel/plan/fit/psm.h"
+#include "lixel/plan/fit/scene_optimal.h"
 #include "lixel/plan/fit/tsm.h"
 #include "lixel/plan/fit/uniform.h"
 #include "lixel/plan/fit/visible_body.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace lixel {
@@ -32,6 +34,7 @@ struct FitOf
     FitResult operator()(const TsmFit& fit) const { return fitTsm(input, fit.focusDepth); }
     FitResult operator()(const LispsmFit&) const { return fitLispsm(input); }
     FitResult operator()(const PlaneOptimalFit& fit) const { return fitPlaneOptimal(input, fit); }
+    FitResult operator()(const SceneOptimalFit& fit) const { return fitSceneOptimal(input, fit); }
     FitResult operator()(const MatrixFit&) const { return Unexpected{FitFailure::NotGiven}; }
     FitResult operator()(const PlanFit&) const { return Unexpected{FitFailure::NotGiven}; }
 };
@@ -45,6 +48,9 @@ struct CellsOf
     CellsResult operator()(const CubePartition&) const { return splitCube(input); }
     CellsResult operator()(const PlanesPartition&) const { return Unexpected{FitFailure::NoSuchPlane}; }
 };
+
+// Samples for energies are as many as a picture is observed by, and no more.
+constexpr std::size_t kMostEdges = 1u << 16;
 
 // The receivers that one light's maps are for: those of the view samples that face it.
 void gatherSeen(const PlanInput& input, const Light& light, FitScratch& scratch)
@@ -116,8 +122,13 @@ LightPlanner::LightPlanner(const PlanInput& input, std::size_t number, const Box
     const Light& light = input.lights[number];
     gatherSeen(input, light, scratch);
     seenLocal_ = scratch.seenLocal;
-    gatherNeedSamples({input.observed, number, scratch.seenLocal, scratch.seenNormal, &input.view}, light,
-                      input.originWorld, scratch.need);
+    const NeedSource source{input.observed, number, scratch.seenLocal, scratch.seenNormal, &input.view};
+    gatherNeedSamples(source, light, input.originWorld, scratch.boundaryDirections, scratch.need);
+    fitInput_.seenIsAll = input.seenIsAll;
+    fitInput_.mapAspect = double(input.lixels.width) / input.lixels.height;
+    if (const SceneOptimalFit* fit = sceneOptimalOf(input.technique))
+        gatherNeedSamples(source, light, input.originWorld, scratch.boundaryDirections, scratch.scene.edges,
+                          {kMostEdges, kMostEdges, fit->awayFromBoundaries, true});
 }
 
 std::optional<FitFailure> LightPlanner::choose(ShadowPlan& out)
@@ -215,6 +226,18 @@ void LightPlanner::findNeeds()
     for (Candidate& candidate : candidates_) candidate.need = {};
     for (const NeedSample& sample : scratch_.need)
         if (Candidate* candidate = serving(sample.pointLocal)) candidate->need += predictor_.of(candidate->fit, sample);
+}
+
+// Samples near shadow boundaries for a fit in a cell.
+void LightPlanner::gatherEdgesIn(const CellPlanes& cell)
+{
+    std::vector<NeedSample>&all = scratch_.scene.edges, &inside = scratch_.scene.edgesInCell;
+    fitInput_.edges = all;
+    if (cell.empty()) return;
+    inside.clear();
+    std::copy_if(all.begin(), all.end(), std::back_inserter(inside),
+                 [&](const NeedSample& sample) { return holdsPoint(cell, sample.pointLocal); });
+    fitInput_.edges = inside;
 }
 
 // From here on only those view samples count that no region holds. Whether there may be any such receiver.
@@ -315,6 +338,7 @@ std::optional<FitFailure> LightPlanner::add(const Cell& cell, const FitChoice& f
         gatherSeenIn(cell.holdsLocal, seenLocal_, scratch_.seenInCellLocal);
         fitInput_.seenLocal = scratch_.seenInCellLocal;
     }
+    gatherEdgesIn(cell.holdsLocal);
     const FitResult result = std::visit(FitOf{fitInput_}, fit);
     if (!result) return result.error();
     std::optional<Fit> chosen = *result;

@@ -6,9 +6,6 @@
 namespace lixel {
 namespace {
 
-constexpr std::size_t kMostAtBoundaries = 768, kMostOthers = 256;
-constexpr double kAwayFromBoundaries = 0.002;
-
 // A lixel that spans the map is not longer in the picture than so many of its diagonals.
 constexpr double kMostDiagonals = 8;
 
@@ -50,15 +47,15 @@ struct PlaneImage
 
 } // namespace
 
-void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld,
-                       std::vector<NeedSample>& samples)
+void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld, BoundaryDirections& directions,
+                       std::vector<NeedSample>& samples, const NeedSampling& sampling)
 {
     samples.clear();
     const Observation* observed = source.observed;
     if (!observed || observed->atBoundary.empty() || source.lightNumber >= kObservedLights) {
         const auto any = [](std::size_t) { return true; };
         const auto seen = [&](std::size_t i) { return NeedSample{source.seenLocal[i], source.seenNormal[i]}; };
-        takeEvenly(source.seenLocal.size(), kMostAtBoundaries + kMostOthers, any, seen, samples);
+        takeEvenly(source.seenLocal.size(), sampling.mostAtBoundaries + sampling.mostOthers, any, seen, samples);
         return;
     }
     const ViewSamples& cells = observed->samples;
@@ -76,18 +73,23 @@ void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d origi
         return isInView(i) && isLightFacing(light, originWorld, at(i), normal(i));
     };
     const std::uint32_t bit = std::uint32_t{1} << source.lightNumber;
-    const auto isAtBoundary = [&](std::size_t i) { return (observed->atBoundary[i] & bit) != 0 && isInView(i); };
+    directions.observe(*observed, bit);
+    const auto isTaken = [&](std::size_t i) {
+        return !(sampling.skipsDepthJumps && cells.atDepthJump[i]) && isInView(i);
+    };
+    const auto isAtBoundary = [&](std::size_t i) { return (observed->atBoundary[i] & bit) != 0; };
 
     takeEvenly(
-        cells.size(), kMostAtBoundaries, isAtBoundary,
+        cells.size(), sampling.mostAtBoundaries, [&](std::size_t i) { return isAtBoundary(i) && isTaken(i); },
         [&](std::size_t i) {
-            return NeedSample{at(i), normal(i), double(cells.weightOf(i))};
+            return NeedSample{at(i), normal(i), double(cells.weightOf(i)), directions.acrossAt(i)};
         },
         samples);
+    if (!(sampling.awayFromBoundaries > 0)) return;
     takeEvenly(
-        cells.size(), kMostOthers, [&](std::size_t i) { return !isAtBoundary(i) && isFacing(i); },
+        cells.size(), sampling.mostOthers, [&](std::size_t i) { return !isAtBoundary(i) && isFacing(i); },
         [&](std::size_t i) {
-            return NeedSample{at(i), normal(i), kAwayFromBoundaries * double(cells.weightOf(i))};
+            return NeedSample{at(i), normal(i), sampling.awayFromBoundaries * double(cells.weightOf(i)), {}};
         },
         samples);
 }

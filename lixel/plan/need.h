@@ -2,7 +2,9 @@
 #pragma once
 
 #include "lixel/base/observation.h"
+#include "lixel/plan/boundary_directions.h"
 #include "lixel/plan/fit/fit.h"
+#include "lixel/plan/fit/need_sample.h"
 
 #include <cmath>
 #include <span>
@@ -20,10 +22,18 @@ struct NeedSource
     const View* view = nullptr; // samples of an earlier frame count where this one sees them
 };
 
-// A few hundred of them: of an observation all at shadow boundaries, as far as there is room, and some others at a five hundredth
-// of their weight, since boundaries may have been missed; without one, evenly of what is seen.
-void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld,
-                       std::vector<NeedSample>& samples);
+// How many, and what those away from shadow boundaries count for.
+struct NeedSampling
+{
+    std::size_t mostAtBoundaries = 768, mostOthers = 256;
+    double awayFromBoundaries = 0.002;
+    bool skipsDepthJumps = false; // leaves out samples at them
+};
+
+// Of an observation all at shadow boundaries, as far as there is room, with the direction of the boundary; and some others at a
+// part of their weight, since boundaries may have been missed. Without one, evenly of what is seen.
+void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld, BoundaryDirections& directions,
+                       std::vector<NeedSample>& samples, const NeedSampling& sampling = {});
 
 // Sums, over samples, of how wide one step of a map's x and y is in the picture across the shadow's edge, the map having one lixel.
 // A lixel misplaces the edge by about half its width, so with width by height lixels errors go with

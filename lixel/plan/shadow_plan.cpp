@@ -90,12 +90,15 @@ std::vector<std::vector<RememberedPlane>> rememberedPlanes(const FramePlan& plan
 std::optional<FirstPass> firstPassOf(const MapTechnique& technique, LixelSize lixels)
 {
     const auto* planes = std::get_if<PlanesPartition>(&technique.partition);
-    if (!planes || !planes->names.empty()) return std::nullopt;
+    const SceneOptimalFit* sceneOptimal = sceneOptimalOf(technique);
+    if (!sceneOptimal && (!planes || !planes->names.empty())) return std::nullopt;
     MapTechnique first; // focused
     first.otherwise = Fallback{CubePartition{}, FocusedFit{}};
     const double lixelsInAll = double(lixels.width) * lixels.height / kFirstPassOfAll;
     const int side = std::max(1, int(std::sqrt(lixelsInAll)));
-    return FirstPass{first, {side, side}};
+    const ObservationGrid grid =
+        sceneOptimal ? ObservationGrid{sceneOptimal->samples, sceneOptimal->samples} : ObservationGrid{};
+    return FirstPass{first, {side, side}, grid};
 }
 
 FramePlan planShadows(const PlanInput& input)

@@ -114,7 +114,8 @@ std::vector<std::vector<RememberedPlane>> rememberedPlanes(const FramePlan& plan
 struct FirstPass
 {
     MapTechnique technique;
-    LixelSize lixels; // of each light; they count
+    LixelSize lixels;     // of each light; they count
+    ObservationGrid grid; // that it is observed by
 };
 std::optional<FirstPass> firstPassOf(const MapTechnique& technique, LixelSize lixels);
 

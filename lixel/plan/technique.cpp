@@ -5,6 +5,7 @@
 #include "lixel/plan/technique_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -225,6 +226,54 @@ bool isGiven(const FitChoice& fit)
     return std::holds_alternative<MatrixFit>(fit) || std::holds_alternative<PlanFit>(fit);
 }
 
+Answer takeSceneOptimal(const Word& word, Parts& parts)
+{
+    if (word.name != "scene-optimal") return std::nullopt;
+    Arguments arguments(word);
+    SceneOptimalFit fit;
+    if (const auto metric = arguments.take("metric")) {
+        const std::array known{LixelMetric::L2, LixelMetric::Lloyd, LixelMetric::Area, LixelMetric::Width};
+        const auto found =
+            std::find_if(known.begin(), known.end(), [&](LixelMetric m) { return nameOf(m) == *metric; });
+        if (found == known.end()) return "scene-optimal takes metric=l2, lloyd, area or width";
+        fit.metric = *found;
+    }
+    if (const auto search = arguments.take("search")) {
+        if (*search != "paper" && *search != "wide") return "scene-optimal takes search=paper or search=wide";
+        if (*search == "paper") fit.search = MapSearchKind::Descent;
+    }
+    if (const auto text = arguments.take("iterations")) {
+        const auto iterations = readInteger(*text);
+        if (!iterations || *iterations < 0 || *iterations > 100 || fit.search != MapSearchKind::Descent)
+            return "scene-optimal takes iterations = 0 to 100, with search=paper";
+        fit.iterations = *iterations;
+    }
+    if (const auto text = arguments.take("slack")) {
+        const auto slack = readNumber(*text);
+        if (!slack || *slack < 0 || *slack > 1) return "scene-optimal takes slack = 0 to 1";
+        fit.slack = *slack;
+    }
+    if (const auto text = arguments.take("weight")) {
+        const auto weight = readNumber(*text);
+        if (!weight || *weight < 0 || *weight > 1) return "scene-optimal takes weight = 0 to 1";
+        fit.awayFromBoundaries = *weight;
+    }
+    if (const auto text = arguments.take("samples")) {
+        const auto samples = readInteger(*text);
+        if (!samples || *samples < 8 || *samples > 2048) return "scene-optimal takes samples = 8 to 2048";
+        fit.samples = *samples;
+    }
+    if (const auto uncovered = arguments.take("uncovered")) {
+        if (*uncovered != "lit")
+            return "scene-optimal takes uncovered=lit; without it, what is not covered goes to else(...)";
+        fit.uncoveredIsLit = true;
+    }
+    fit.hasShear = arguments.takeFlag("shear");
+    if (!arguments.areAllTaken())
+        return "scene-optimal takes metric=, search=, iterations=, slack=, weight=, samples=, shear and uncovered=lit";
+    return setOnce(parts.fit, FitChoice(fit), "fit");
+}
+
 // A partition and a fit, and nothing else.
 Answer takeElse(const Word& word, Parts& parts)
 {
@@ -237,6 +286,7 @@ Answer takeElse(const Word& word, Parts& parts)
         if (!part) return fmt::format("\"{}\" is not of the form word(value, ...)", piece);
         Answer answer = takePartition(*part, inside);
         if (!answer) answer = takeFit(*part, inside);
+        if (!answer) answer = takeSceneOptimal(*part, inside);
         if (!answer && (part->name == "planes" || part->name == "plane-optimal"))
             return "planes and plane-optimal go before else(...), not into it";
         if (!answer) return fmt::format("else(...) takes a partition and a fit, not \"{}\"", piece);
@@ -251,8 +301,8 @@ Answer takeElse(const Word& word, Parts& parts)
 // An empty string, or what is wrong with the word.
 std::string take(const Word& word, Parts& parts)
 {
-    for (const auto reader :
-         {takePartition, takePlanes, takeFit, takePlaneOptimal, takeLookup, takeNoMap, takeAllocation, takeElse})
+    for (const auto reader : {takePartition, takePlanes, takeFit, takePlaneOptimal, takeSceneOptimal, takeLookup,
+                              takeNoMap, takeAllocation, takeElse})
         if (const Answer answer = reader(word, parts)) return *answer;
     return fmt::format("\"{}\" is not known; known are {}", word.name, knownWords());
 }
@@ -283,6 +333,9 @@ std::string checkTogether(const MapTechnique& map, const Parts& parts)
     const auto* planeOptimal = std::get_if<PlaneOptimalFit>(&map.fit);
     if (planeOptimal && !isPlanes(map.partition)) return "plane-optimal needs regions with planes: planes(...)";
     if (planeOptimal && planeOptimal->uncoveredIsLit && map.otherwise)
+        return "uncovered=lit leaves nothing to else(...)";
+    const auto* sceneOptimal = std::get_if<SceneOptimalFit>(&map.fit);
+    if (sceneOptimal && sceneOptimal->uncoveredIsLit && map.otherwise)
         return "uncovered=lit leaves nothing to else(...)";
     if (map.isStable && isPlanes(map.partition))
         return "stable goes with no planes(...): their maps follow the picture";
@@ -326,6 +379,14 @@ std::string name(const TsmFit& fit)
     return fit.focusDepth ? fmt::format("tsm(focus={})", *fit.focusDepth) : std::string("tsm");
 }
 std::string name(const LispsmFit&) { return "lispsm"; }
+std::string name(const SceneOptimalFit& fit)
+{
+    const bool isPaper = fit.search == MapSearchKind::Descent;
+    return fmt::format("scene-optimal(metric={},search={}{},slack={},weight={},samples={}{}{})", nameOf(fit.metric),
+                       isPaper ? "paper" : "wide", isPaper ? fmt::format(",iterations={}", fit.iterations) : "",
+                       fit.slack, fit.awayFromBoundaries, fit.samples, fit.hasShear ? ",shear" : "",
+                       fit.uncoveredIsLit ? ",uncovered=lit" : "");
+}
 std::string name(const MatrixFit& fit) { return fmt::format("matrix({})", fit.file); }
 std::string name(const PlanFit& fit) { return fmt::format("plan({})", fit.file); }
 std::string name(const DepthStore& store) { return fmt::format("depths({})", store.depths); }
@@ -382,6 +443,9 @@ Expected<Technique, std::string> parseTechnique(std::string_view text)
     technique.allocation = parts.allocation.value_or(parts.isStable ? Allocation::Share : Allocation::Need);
     technique.otherwise = parts.otherwise;
     completePlanes(technique);
+    if (const auto* fit = std::get_if<SceneOptimalFit>(&technique.fit);
+        fit && !fit->uncoveredIsLit && !technique.otherwise)
+        technique.otherwise = Fallback{};
     if (parts.store) technique.store = *parts.store;
     if (parts.kernel) technique.kernel = *parts.kernel;
     if (const std::string wrong = checkTogether(technique, parts); !wrong.empty()) return fail(wrong);
@@ -394,10 +458,17 @@ bool needsViewSamples(const MapTechnique& technique)
         const auto* planes = std::get_if<PlanesPartition>(&partition);
         const auto* planeOptimal = std::get_if<PlaneOptimalFit>(&fit);
         return std::holds_alternative<SdsmPartition>(partition) || std::holds_alternative<DesiredViewFit>(fit) ||
-               (planes && planes->names.empty()) || (planeOptimal && planeOptimal->isOfSamples);
+               std::holds_alternative<SceneOptimalFit>(fit) || (planes && planes->names.empty()) ||
+               (planeOptimal && planeOptimal->isOfSamples);
     };
     return isMadeOfThem(technique.partition, technique.fit) ||
            (technique.otherwise && isMadeOfThem(technique.otherwise->partition, technique.otherwise->fit));
+}
+
+const SceneOptimalFit* sceneOptimalOf(const MapTechnique& technique)
+{
+    if (const auto* fit = std::get_if<SceneOptimalFit>(&technique.fit)) return fit;
+    return technique.otherwise ? std::get_if<SceneOptimalFit>(&technique.otherwise->fit) : nullptr;
 }
 
 std::string toString(const Technique& technique)

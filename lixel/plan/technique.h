@@ -4,6 +4,7 @@
 #include "lixel/base/expected.h"
 #include "lixel/plan/fit/plane_optimal.h"
 #include "lixel/plan/fit/psm.h"
+#include "lixel/plan/fit/scene_optimal.h"
 
 #include <optional>
 #include <span>
@@ -94,7 +95,7 @@ struct PlanFit
     friend bool operator==(const PlanFit&, const PlanFit&) = default;
 };
 using FitChoice = std::variant<UniformFit, FocusedFit, DesiredViewFit, MinimalFrustumFit, PsmFit, TsmFit, LispsmFit,
-                               PlaneOptimalFit, MatrixFit, PlanFit>;
+                               PlaneOptimalFit, SceneOptimalFit, MatrixFit, PlanFit>;
 
 // How the regions of a light share its lixels.
 enum class Allocation {
@@ -140,6 +141,9 @@ struct MapTechnique
 
 // Whether plans of it are made from view samples, and need PlanInput::seen.
 bool needsViewSamples(const MapTechnique& technique);
+
+// Of the technique or of its else(...); null where neither is.
+const SceneOptimalFit* sceneOptimalOf(const MapTechnique& technique);
 
 // Techniques without one: a ray a view sample, or `samples` rays over the pixel's area.
 struct ExactTechnique

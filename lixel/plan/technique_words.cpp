@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kAnyLight = "directional, spot, point";
 
-constexpr std::array<TechniqueWord, 21> kWords{{
+constexpr std::array<TechniqueWord, 22> kWords{{
     {"partition", "whole", "one region: all of space", "", "all", ""},
     {"partition", "pssm(n, lambda=0.5, stable)",
      "n = 1 to 16 regions along the line of sight, split between evenly (0) and logarithmically (1)",
@@ -43,6 +43,13 @@ constexpr std::array<TechniqueWord, 21> kWords{{
     {"fit", "plane-optimal(desired-view, uncovered=lit)",
      "of a region's plane every pixel has its lixel; what no plane holds goes to else(...), focused if not given",
      "Chong, Gortler 2004", kAnyLight, "plane-faces-away, light-in-plane, eye-in-plane, nothing-in-view"},
+    {"fit",
+     "scene-optimal(metric=width/l2/lloyd/area, search=wide/paper, iterations=, shear, slack=, weight=, samples=, "
+     "uncovered=lit)",
+     "the matrix that is best for what is seen near the edges of shadows; what it does not hold goes to else(...), "
+     "focused if not "
+     "given",
+     "Chong, Gortler 2007", kAnyLight, "no-view-samples, extent-not-in-hemisphere, nothing-in-view"},
     {"fit", "matrix(file)", "another engine's matrix for each light", "", kAnyLight, "not-given"},
     {"fit", "plan(file)", "another engine's regions, rectangles and matrices", "", kAnyLight, "not-given"},
     {"fallback", "else(partition+fit)", "serves what falls out of all regions; its lixels count", "", "all", ""},

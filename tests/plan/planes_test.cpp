@@ -231,11 +231,12 @@ struct RoomView
 
 double predictedErrorOf(const RoomView& room, const FramePlan& plan)
 {
+    BoundaryDirections directions;
     std::vector<NeedSample> need;
     std::vector<Vec3d> points, normals;
     for (std::size_t i = 0; i < room.samples.size(); ++i)
         points.push_back(toDouble(room.samples.positionLocal[i])), normals.push_back(toDouble(room.samples.normal[i]));
-    gatherNeedSamples({&room.observed, 0, points, normals}, room.setup.light, room.setup.originWorld, need);
+    gatherNeedSamples({&room.observed, 0, points, normals}, room.setup.light, room.setup.originWorld, directions, need);
     const NeedPredictor predictor(room.setup.view, room.setup.originWorld);
     double sum = 0;
     for (const NeedSample& sample : need) {

@@ -6,6 +6,9 @@
 #include "lixel/base/light.h"
 #include "lixel/base/rectangle.h"
 #include "lixel/base/view.h"
+#include "lixel/plan/boundary_directions.h"
+#include "lixel/plan/fit/edge_rays.h"
+#include "lixel/plan/fit/need_sample.h"
 #include "lixel/plan/partition/find_planes.h"
 
 #include <algorithm>
@@ -38,13 +41,6 @@ std::string_view sentenceFor(FitFailure failure);
 inline constexpr std::size_t kMostRayCorners = 40;
 using RayPolygon = FixedVector<Vec3d, kMostRayCorners>;
 
-// A receiver that predictions of errors ask (need.h).
-struct NeedSample
-{
-    Vec3d pointLocal, normal;
-    double weight = 1; // pixels that it stands for, times how likely a shadow ends there
-};
-
 // A plane of interest that has no region, and why.
 struct LeftOutPlane
 {
@@ -62,11 +58,21 @@ struct FitScratch
     };
     std::vector<Vec3d> points, corners, casterPoints, directions;
     OnPlane plane;
+    struct OfScene // scene_optimal.h
+    {
+        EdgeRays all, some;
+        std::vector<Vec3d> corners, bodyCorners;
+        std::vector<Vec2d> image;
+        std::vector<double> values;
+        std::vector<NeedSample> edges, edgesInCell;
+    };
+    OfScene scene;
     // View samples that face the light, those of them that no region serves yet, and those of a region.
     std::vector<Vec3d> seenLocal, seenNormal, seenUnservedLocal, seenInCellLocal;
     std::vector<RayPolygon> rays, raysRoom; // those that no region serves yet
     std::vector<Vec3d> pointsOfRays;        // what those rays were found from
     std::vector<NeedSample> need;
+    BoundaryDirections boundaryDirections;
     std::vector<Vec3d> needLocal; // where they are
     PlaneScratch planes;
     std::vector<Plane> earlierPlanes;
@@ -111,12 +117,15 @@ struct FitInput
     std::span<const Box> casterBoxesWorld;
     Box sceneLocal; // of all casters and receivers
     FitScratch& scratch;
-    CellPlanes cellLocal{};                // receivers outside are not this region's; none: all of space
-    bool hasViewSamples = false;           // whether view samples were given at all ...
-    std::span<const Vec3d> seenLocal = {}; // ... and those of this region that face the light
-    bool isStable = false;                 // the map must not crawl as the camera moves
-    std::optional<PlaneOfCell> plane = {}; // of a region that is for a plane
-    bool wantsWholePixels = false;         // a lixel a pixel, where the fit can
+    CellPlanes cellLocal{};                 // receivers outside are not this region's; none: all of space
+    bool hasViewSamples = false;            // whether view samples were given at all ...
+    std::span<const Vec3d> seenLocal = {};  // ... and those of this region that face the light
+    bool isStable = false;                  // the map must not crawl as the camera moves
+    std::optional<PlaneOfCell> plane = {};  // of a region that is for a plane
+    bool wantsWholePixels = false;          // a lixel a pixel, where the fit can
+    bool seenIsAll = false;                 // the view samples are all receivers that will be asked
+    std::span<const NeedSample> edges = {}; // of this region, near shadow boundaries (scene_optimal.h)
+    double mapAspect = 1;                   // lixels across the map over those along it, as far as that is known
     std::span<const Vec3d> visibleLocal =
         {}; // what findVisiblePoints() gives without a cell, where that is known already
 };

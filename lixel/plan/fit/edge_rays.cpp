@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/fit/edge_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lixel {
+namespace {
+
+// Sines of angles between surface and line of sight or light ray below this are rounding.
+constexpr double kLeastSine = 1e-7;
+
+// Directions that stand for all of a surface's.
+constexpr int kUnknownDirections = 4;
+
+Vec3d at(const EdgeRays::Vectors& v, std::size_t i) { return {v[0][i], v[1][i], v[2][i]}; }
+
+void append(EdgeRays::Vectors& v, Vec3d value)
+{
+    v[0].push_back(value.x), v[1].push_back(value.y), v[2].push_back(value.z);
+}
+
+void scale(std::vector<double>& weights)
+{
+    double sum = 0;
+    for (const double w : weights) sum += w;
+    if (sum > 0)
+        for (double& w : weights) w /= sum;
+}
+
+// How the surface at a sample lies in the picture: pixels a unit along two tangents.
+struct OnPicture
+{
+    Vec3d t1, t2;
+    Vec2d p1, p2;
+
+    OnPicture(const Mat4d& pixelsFromLocal, const NeedSample& sample)
+        : t1(anyPerpendicular(sample.normal)), t2(cross(sample.normal, t1))
+    {
+        const Vec4d at = pixelsFromLocal * point(sample.pointLocal);
+        const auto along = [&](Vec3d tangent) {
+            const Vec4d change = pixelsFromLocal * direction(tangent);
+            return Vec2d{(change.x - change.w * (at.x / at.w)) / at.w, (change.y - change.w * (at.y / at.w)) / at.w};
+        };
+        p1 = along(t1), p2 = along(t2);
+    }
+};
+
+} // namespace
+
+void EdgeRays::clear()
+{
+    for (Vectors* v : {&ray, &first, &second, &edgeRay, &across})
+        for (auto& component : *v) component.clear();
+    weight.clear(), edgeWeight.clear();
+}
+
+void EdgeRays::add(Vec3d r, Vec3d k1, Vec3d k2, double sampleWeight)
+{
+    append(ray, r), append(first, k1), append(second, k2);
+    weight.push_back(sampleWeight);
+}
+
+void EdgeRays::addEdge(Vec3d r, Vec3d k, double sampleWeight)
+{
+    append(edgeRay, r), append(across, k);
+    edgeWeight.push_back(sampleWeight);
+}
+
+void EdgeRays::normaliseWeights() { scale(weight), scale(edgeWeight); }
+
+void EdgeRays::assign(const View& view, Vec3d originWorld, const Mat4d& framed, std::span<const NeedSample> samples)
+{
+    clear();
+    Mat4d pixels = clipFromLocal(view, originWorld);
+    pixels.setRow(0, 0.5 * view.width * pixels.row(0));
+    pixels.setRow(1, 0.5 * view.height * pixels.row(1));
+    const auto rayOf = [&](Vec4d p) {
+        return Vec3d{dot(framed.row(0), p), dot(framed.row(1), p), dot(framed.row(3), p)};
+    };
+    for (const NeedSample& sample : samples) {
+        const OnPicture picture(pixels, sample);
+        const double area = cross(picture.p1, picture.p2);
+        const double longest = std::max(dot(picture.p1, picture.p1), dot(picture.p2, picture.p2));
+        if (!(std::abs(area) > kLeastSine * longest)) continue;
+        const Vec3d r = rayOf(point(sample.pointLocal)), s1 = rayOf(direction(picture.t1)),
+                    s2 = rayOf(direction(picture.t2));
+        // A pixel to the right, and one up, along the surface.
+        const Vec3d r1 = (1 / area) * (picture.p2.y * s1 - picture.p1.y * s2),
+                    r2 = (1 / area) * (picture.p1.x * s2 - picture.p2.x * s1);
+        const double D = dot(r, cross(r1, r2));
+        if (!(r.z > 0) || !(std::abs(D) > kLeastSine * length(r) * length(r1) * length(r2)) || !std::isfinite(D))
+            continue;
+        const Vec3d k1 = (1 / D) * cross(r2, r), k2 = (-1 / D) * cross(r1, r);
+        add(r, k1, k2, sample.weight);
+        if (dot(sample.across, sample.across) > 0) {
+            addEdge(r, sample.across.x * k1 + sample.across.y * k2, sample.weight);
+            continue;
+        }
+        // An edge with the unit normal m on the surface moves by |area| / size pixels across itself for each unit along m (need.h).
+        const double size = std::sqrt(0.5 * (dot(picture.p1, picture.p1) + dot(picture.p2, picture.p2)));
+        for (int i = 0; i < kUnknownDirections; ++i) {
+            const double angle = std::numbers::pi * i / kUnknownDirections;
+            const Vec2d m{std::cos(angle), std::sin(angle)};
+            // m as a function of pixels: the inverse of [p1 p2], transposed.
+            const Vec2d n =
+                (1 / size) * Vec2d{m.x * picture.p2.y - m.y * picture.p1.y, m.y * picture.p1.x - m.x * picture.p2.x};
+            addEdge(r, n.x * k1 + n.y * k2, sample.weight / kUnknownDirections);
+        }
+    }
+    normaliseWeights();
+}
+
+void EdgeRays::assignSome(const EdgeRays& all, std::size_t count)
+{
+    clear();
+    const auto every = [count](std::size_t size, auto&& take) {
+        const std::size_t taken = std::min(size, count);
+        for (std::size_t i = 0; i < taken; ++i) take((2 * i + 1) * size / (2 * taken));
+    };
+    every(all.size(), [&](std::size_t i) { add(at(all.ray, i), at(all.first, i), at(all.second, i), all.weight[i]); });
+    every(all.edgeWeight.size(),
+          [&](std::size_t i) { addEdge(at(all.edgeRay, i), at(all.across, i), all.edgeWeight[i]); });
+    normaliseWeights();
+}
+
+} // namespace lixel

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/plan/fit/fit.h"
+#include "lixel/plan/fit/lixel_energy.h"
+
+namespace lixel {
+
+enum class MapSearchKind : std::uint8_t {
+    Wide,   // all axes (searchWidely)
+    Descent // the paper's Algorithm 1
+};
+
+// The light image that is best for what is seen, by an energy of the samples near shadow boundaries.
+struct SceneOptimalFit
+{
+    LixelMetric metric = LixelMetric::Width;
+    MapSearchKind search = MapSearchKind::Wide;
+    int iterations = 3; // of the descent
+    bool hasShear = false;
+    double slack = 0.02;               // the rectangle is larger by this part, where only some receivers are known
+    double awayFromBoundaries = 0.002; // weight of samples there, against 1
+    int samples = 180;                 // of an observation's grid, each way
+    bool uncoveredIsLit = false;       // as the paper's single map: nothing serves what falls out
+
+    friend bool operator==(const SceneOptimalFit&, const SceneOptimalFit&) = default;
+};
+
+// Holds the view samples of the region, at the least energy of FitInput::edges.
+//
+//   H. Chong, S. Gortler. Scene Optimized Shadow Mapping. 2007.
+//
+//   Needs    view samples, and those of them near shadow boundaries: without any, the rectangle of least area
+//   Returns  never a worse map, by its own metric, than desired-view(rotated), lispsm, psm and tsm give (search=wide)
+//   Refuses  EmptyScene, NoViewSamples, NothingInView, ExtentNotInHemisphere
+//   Differs  parallel light has its place across the light, scaled to [-1, 1], for a direction (the paper leaves it out); the metric is a
+//            parameter, and the paper's is not the default; so is the search, whose default is not the paper's
+FitResult fitSceneOptimal(const FitInput& input, const SceneOptimalFit& choice);
+
+// The light image's rows in a frame of its light, of one lixel: what energies are asked of. Nothing of frames without extent.
+std::optional<PlaneWarp> planeWarpOf(const LightFrame& frame, const Mat4d& lightClipFromLocal);
+
+} // namespace lixel
