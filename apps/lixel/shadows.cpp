@@ -72,7 +72,7 @@ std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubjec
     input.lixelsOfRegions = lixels.ofRegions;
     input.given = choice.given;
     const auto first = firstPassOf(*map, lixels.total);
-    input.planesBefore = memory.planes;
+    input.before = memory.before;
     if (first && memory.observed) input.observed = &*memory.observed;
     if (!first || memory.observed) return planShadows(input);
 
@@ -97,7 +97,7 @@ PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, c
     if (!first) return {};
     std::vector<Visibility> all(visibility.begin(), visibility.end());
     for (Visibility& light : all) light.value.resize(subject.seen.size(), 0.0f);
-    PlanMemory memory{rememberedPlanes(plan), observe(subject.seen, subject.view, subject.lights, all, first->grid)};
+    PlanMemory memory{rememberedBy(plan), observe(subject.seen, subject.view, subject.lights, all, first->grid)};
     memory.observed->ageFrames = 1;
     return memory;
 }

@@ -41,7 +41,7 @@ struct PlanSubject
 // What the frames of a path hand on, of one technique.
 struct PlanMemory
 {
-    std::vector<std::vector<RememberedPlane>> planes;
+    std::vector<LightMemory> before;
     std::optional<Observation> observed; // of the frame before; nothing at the start
 };
 

@@ -339,6 +339,9 @@ std::optional<FitFailure> LightPlanner::add(const Cell& cell, const FitChoice& f
         fitInput_.seenLocal = scratch_.seenInCellLocal;
     }
     gatherEdgesIn(cell.holdsLocal);
+    fitInput_.before = nullptr;
+    if (number_ < input_.before.size() && candidates_.size() < input_.before[number_].maps.size())
+        fitInput_.before = &input_.before[number_].maps[candidates_.size()];
     const FitResult result = std::visit(FitOf{fitInput_}, fit);
     if (!result) return result.error();
     std::optional<Fit> chosen = *result;
@@ -442,7 +445,7 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
                            pieces[i], candidates_[i].halfSpacesLocal,
                            i + 1 < candidates_.size() ? guardBand(pieces[i], lookup) : Vec2d{}, candidates_[i].plane,
                            needsDouble(candidates_[i].fit, pieces[i].width(), pieces[i].height()),
-                           candidates_[i].fit.pixels, candidates_[i].pixelPlaneLocal});
+                           candidates_[i].fit.pixels, candidates_[i].pixelPlaneLocal, candidates_[i].fit.framesKept});
     return true;
 }
 

@@ -43,8 +43,8 @@ void LightPlanner::lookForPlanes(std::vector<FoundPlane>& found)
     }
     search.pixelSize = pixelSizeLocal(input_.view, input_.originWorld);
     scratch_.earlierPlanes.clear();
-    if (number_ < input_.planesBefore.size())
-        for (const RememberedPlane& plane : input_.planesBefore[number_])
+    if (number_ < input_.before.size())
+        for (const RememberedPlane& plane : input_.before[number_].planes)
             scratch_.earlierPlanes.push_back(plane.planeLocal);
     search.earlierLocal = scratch_.earlierPlanes;
     FoundPlanes planes;
@@ -86,8 +86,8 @@ InterestPlanes LightPlanner::planesThatPay(std::span<const FoundPlane> found, Tw
 // In the last frame: such a plane stays without a gain, so that planes do not come and go.
 bool LightPlanner::hadRegion(const FoundPlane& plane) const
 {
-    if (number_ >= input_.planesBefore.size()) return false;
-    const std::vector<RememberedPlane>& before = input_.planesBefore[number_];
+    if (number_ >= input_.before.size()) return false;
+    const std::vector<RememberedPlane>& before = input_.before[number_].planes;
     return std::any_of(before.begin(), before.end(), [&](const RememberedPlane& one) {
         return one.hadRegion && one.planeLocal.normal == plane.planeLocal.normal &&
                one.planeLocal.offset == plane.planeLocal.offset;

@@ -74,16 +74,19 @@ shared::mat4 toShared(const Mat4d& matrix)
     return out;
 }
 
-std::vector<std::vector<RememberedPlane>> rememberedPlanes(const FramePlan& plan)
+std::vector<LightMemory> rememberedBy(const FramePlan& plan)
 {
-    std::vector<std::vector<RememberedPlane>> out(plan.lights.size());
-    for (std::size_t light = 0; light < out.size(); ++light)
-        for (std::size_t i = 0; i < plan.lights[light].foundPlanes.size(); ++i) {
-            const auto& regions = plan.lights[light].regions;
-            const bool hadRegion = std::any_of(regions.begin(), regions.end(),
+    std::vector<LightMemory> out;
+    for (const ShadowPlan& light : plan.lights) {
+        LightMemory& memory = out.emplace_back();
+        for (std::size_t i = 0; i < light.foundPlanes.size(); ++i) {
+            const bool hadRegion = std::any_of(light.regions.begin(), light.regions.end(),
                                                [&](const PlannedRegion& region) { return region.plane == int(i); });
-            out[light].push_back({plan.lights[light].foundPlanes[i].planeLocal, hadRegion});
+            memory.planes.push_back({light.foundPlanes[i].planeLocal, hadRegion});
         }
+        for (const PlannedRegion& region : light.regions)
+            memory.maps.push_back({region.lightClipFromLocal, region.framesKept});
+    }
     return out;
 }
 

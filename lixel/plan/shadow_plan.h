@@ -35,10 +35,17 @@ struct GivenLight
     std::vector<GivenRegion> regions;
 };
 
+// What plans of a light hand on to the next frame's, whose originWorld is the same.
 struct RememberedPlane
 {
     Plane planeLocal;
     bool hadRegion = false;
+};
+struct LightMemory
+{
+    std::vector<RememberedPlane>
+        planes; // that planes(auto) found: they keep their very places, and, while it does not cost, their maps
+    std::vector<RememberedMap> maps; // of the regions, in their order
 };
 
 struct PlanInput
@@ -62,9 +69,7 @@ struct PlanInput
     const Observation* observed = nullptr;
     // Spent of each light's lixels before this plan, on the first pass that observed.
     std::int64_t lixelsSpent = 0;
-    // What planes(auto) found for the last frame, an entry a light (rememberedPlanes): planes keep their very places, and those that
-    // had maps keep them as long as they do not cost.
-    std::span<const std::vector<RememberedPlane>> planesBefore = {};
+    std::span<const LightMemory> before = {}; // an entry a light (rememberedBy); empty: nothing was before
 };
 
 // One map: a region's projection and its place.
@@ -78,6 +83,7 @@ struct PlannedRegion
     bool isInDouble = false;         // floats of the matrix would move its lixels visibly
     std::optional<PixelRectangle> pixels = {}; // of a map with a lixel a pixel: those, its guard band not among them
     std::optional<Plane> pixelPlaneLocal = {}; // of such a map: the plane, its unit normal towards the light
+    int framesKept = 0; // of a map made from samples (scene_optimal.h): since it was last asked for anew
 };
 
 // What was decided for one light.
@@ -107,8 +113,8 @@ struct FramePlan
     std::int64_t lixelsOf(std::size_t light) const; // every lixel allocated for it
 };
 
-// For the plan of the next frame, whose origin must be the same.
-std::vector<std::vector<RememberedPlane>> rememberedPlanes(const FramePlan& plan);
+// For the plan of the next frame.
+std::vector<LightMemory> rememberedBy(const FramePlan& plan);
 
 // What a technique wants drawn and observed before its plan, where no earlier frame tells where shadows end.
 struct FirstPass

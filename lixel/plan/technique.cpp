@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -226,6 +227,8 @@ bool isGiven(const FitChoice& fit)
     return std::holds_alternative<MatrixFit>(fit) || std::holds_alternative<PlanFit>(fit);
 }
 
+constexpr double kKeepsNothing = std::numeric_limits<double>::infinity();
+
 Answer takeSceneOptimal(const Word& word, Parts& parts)
 {
     if (word.name != "scene-optimal") return std::nullopt;
@@ -263,6 +266,16 @@ Answer takeSceneOptimal(const Word& word, Parts& parts)
         if (!samples || *samples < 8 || *samples > 2048) return "scene-optimal takes samples = 8 to 2048";
         fit.samples = *samples;
     }
+    if (const auto text = arguments.take("keep")) {
+        const auto keep = *text == "none" ? std::optional(kKeepsNothing) : readNumber(*text);
+        if (!keep || *keep < 0) return "scene-optimal takes keep = a number from 0, or keep=none";
+        fit.keep = *keep;
+    }
+    if (const auto text = arguments.take("update")) {
+        const auto update = readInteger(*text);
+        if (!update || *update < 1 || *update > 1000) return "scene-optimal takes update = 1 to 1000 frames";
+        fit.update = *update;
+    }
     if (const auto uncovered = arguments.take("uncovered")) {
         if (*uncovered != "lit")
             return "scene-optimal takes uncovered=lit; without it, what is not covered goes to else(...)";
@@ -270,7 +283,8 @@ Answer takeSceneOptimal(const Word& word, Parts& parts)
     }
     fit.hasShear = arguments.takeFlag("shear");
     if (!arguments.areAllTaken())
-        return "scene-optimal takes metric=, search=, iterations=, slack=, weight=, samples=, shear and uncovered=lit";
+        return "scene-optimal takes metric=, search=, iterations=, slack=, weight=, samples=, keep=, update=, shear "
+               "and uncovered=lit";
     return setOnce(parts.fit, FitChoice(fit), "fit");
 }
 
@@ -382,9 +396,11 @@ std::string name(const LispsmFit&) { return "lispsm"; }
 std::string name(const SceneOptimalFit& fit)
 {
     const bool isPaper = fit.search == MapSearchKind::Descent;
-    return fmt::format("scene-optimal(metric={},search={}{},slack={},weight={},samples={}{}{})", nameOf(fit.metric),
-                       isPaper ? "paper" : "wide", isPaper ? fmt::format(",iterations={}", fit.iterations) : "",
-                       fit.slack, fit.awayFromBoundaries, fit.samples, fit.hasShear ? ",shear" : "",
+    const std::string keep = fit.keep == kKeepsNothing ? "none" : fmt::format("{}", fit.keep);
+    return fmt::format("scene-optimal(metric={},search={}{},slack={},weight={},samples={},keep={},update={}{}{})",
+                       nameOf(fit.metric), isPaper ? "paper" : "wide",
+                       isPaper ? fmt::format(",iterations={}", fit.iterations) : "", fit.slack, fit.awayFromBoundaries,
+                       fit.samples, keep, fit.update, fit.hasShear ? ",shear" : "",
                        fit.uncoveredIsLit ? ",uncovered=lit" : "");
 }
 std::string name(const MatrixFit& fit) { return fmt::format("matrix({})", fit.file); }

@@ -45,7 +45,7 @@ constexpr std::array<TechniqueWord, 22> kWords{{
      "Chong, Gortler 2004", kAnyLight, "plane-faces-away, light-in-plane, eye-in-plane, nothing-in-view"},
     {"fit",
      "scene-optimal(metric=width/l2/lloyd/area, search=wide/paper, iterations=, shear, slack=, weight=, samples=, "
-     "uncovered=lit)",
+     "keep=, update=, uncovered=lit)",
      "the matrix that is best for what is seen near the edges of shadows; what it does not hold goes to else(...), "
      "focused if not "
      "given",

@@ -99,7 +99,7 @@ inline Observation anyObservation(const RandomSetup& setup, const ViewSamples& s
 struct PlanedCase
 {
     std::vector<NamedPlane> planes;
-    std::vector<std::vector<RememberedPlane>> before;
+    std::vector<LightMemory> before;
     Observation observed;
 
     void giveTo(PlanInput& input, const RandomSetup& setup, const ViewSamples& samples, Rng& rng, bool isOrdinary)
@@ -118,8 +118,8 @@ struct PlanedCase
         }
         if (rng.chance(0.5)) {
             const Plane plane = planeThrough(planes[0].pointWorld - setup.originWorld, planes[0].normalWorld);
-            before.push_back({{plane, rng.chance(0.5)}});
-            input.planesBefore = before;
+            before.push_back({{{plane, rng.chance(0.5)}}, {}});
+            input.before = before;
         }
     }
 };

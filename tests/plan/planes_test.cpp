@@ -275,8 +275,8 @@ TEST(PlanesAuto, AreTheSameAgainAndTakenWhereThePredictedErrorFalls)
         }
         std::vector<Plane> before;
         for (const FoundPlane& found : plan.lights[0].foundPlanes) before.push_back(found.planeLocal);
-        const auto remembered = rememberedPlanes(plan);
-        input.planesBefore = remembered;
+        const auto remembered = rememberedBy(plan);
+        input.before = remembered;
         const FramePlan next = planShadows(input);
         for (const FoundPlane& found : next.lights[0].foundPlanes)
             kept += std::any_of(before.begin(), before.end(), [&](const Plane& p) {

@@ -109,6 +109,13 @@ struct PixelRectangle
     friend bool operator==(const PixelRectangle&, const PixelRectangle&) = default;
 };
 
+// A region's map of the frame before, and how many frames it has been kept as it was.
+struct RememberedMap
+{
+    Mat4d lightClipFromLocal;
+    int framesKept = 0;
+};
+
 struct FitInput
 {
     const View& view;
@@ -125,6 +132,7 @@ struct FitInput
     bool wantsWholePixels = false;          // a lixel a pixel, where the fit can
     bool seenIsAll = false;                 // the view samples are all receivers that will be asked
     std::span<const NeedSample> edges = {}; // of this region, near shadow boundaries (scene_optimal.h)
+    const RememberedMap* before = nullptr;  // what this region had in the last frame
     double mapAspect = 1;                   // lixels across the map over those along it, as far as that is known
     std::span<const Vec3d> visibleLocal =
         {}; // what findVisiblePoints() gives without a cell, where that is known already
@@ -143,6 +151,8 @@ struct Fit
     CellPlanes holdsLocal{};
     std::optional<Plane> narrowedToLocal =
         {}; // receivers outside are too near to the light for this map: the next region's
+
+    int framesKept = 0; // how long it has had this very shape, of what FitInput::before had
 
     std::optional<PixelRectangle> pixels = {}; // the NDC square is this part of the picture, at a lixel a pixel
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lixel {
 namespace {
@@ -37,13 +38,6 @@ std::span<const Vec3d> raysOf(const FramedBody& body, FitScratch::OfScene& scrat
     return scratch.corners;
 }
 
-Fit withSlack(Fit fit, double slack)
-{
-    for (const int row : {0, 1})
-        fit.lightClipFromLocal.setRow(row, (1 / (1 + slack)) * fit.lightClipFromLocal.row(row));
-    return fit;
-}
-
 } // namespace
 
 std::optional<PlaneWarp> planeWarpOf(const LightFrame& frame, const Mat4d& lightClipFromLocal)
@@ -63,6 +57,112 @@ std::optional<PlaneWarp> planeWarpOf(const LightFrame& frame, const Mat4d& light
     return PlaneWarp{0.5 * rowOf(x), 0.5 * rowOf(y), rowOf(w)};
 }
 
+namespace {
+
+// One light's question, and the maps that may answer it.
+class SceneFit
+{
+public:
+    SceneFit(const FitInput& input, const SceneOptimalFit& choice, const FramedBody& body)
+        : input_(input), choice_(choice), scratch_(input.scratch.scene), body_(body)
+    {
+        scratch_.all.assign(input.view, input.originWorld, body.frame.framedFromLocal, input.edges);
+    }
+
+    Fit best()
+    {
+        const RememberedMap* before = input_.before;
+        const auto kept = before ? keptFrom(*before) : std::nullopt;
+        if (kept && before->framesKept + 1 < choice_.update) return *kept;
+        Fit found = choice_.search == MapSearchKind::Wide ? bestOfAll() : descended();
+        if (!kept || medianBadness(found) < choice_.keep * medianBadness(*kept)) return found;
+        Fit out = *kept;
+        out.framesKept = 0; // it was asked for anew, and is still good enough
+        return out;
+    }
+
+private:
+    Fit fitted(const FramedBody& framed, RectangleKind kind) const
+    {
+        Fit fit = fitTightly(framed, kind, input_);
+        const double room = input_.seenIsAll ? 1 : 1 / (1 + choice_.slack);
+        for (const int row : {0, 1}) fit.lightClipFromLocal.setRow(row, room * fit.lightClipFromLocal.row(row));
+        fit.isOfSamples = true;
+        return fit;
+    }
+
+    Fit leastArea() const { return fitted(body_, RectangleKind::LeastArea); }
+
+    std::optional<MapQuestion> question()
+    {
+        const std::span<const Vec3d> corners = raysOf(body_, scratch_);
+        if (scratch_.all.isEmpty() || corners.size() < 3) return std::nullopt;
+        return MapQuestion{choice_.metric, scratch_.all, corners, input_.mapAspect, choice_.hasShear, scratch_};
+    }
+
+    Fit fittedTo(const FoundMap& map) const
+    {
+        const auto framed = std::isfinite(map.energy) ? warped(body_, map.map) : std::nullopt;
+        return framed ? fitted(*framed, RectangleKind::Upright) : leastArea();
+    }
+
+    Fit descended()
+    {
+        const auto asked = question();
+        return asked ? fittedTo(descend(*asked, {0, 0, 1}, {choice_.iterations, kPaperAngles})) : leastArea();
+    }
+
+    // None of the cheap fits is better.
+    Fit bestOfAll()
+    {
+        const auto asked = question();
+        if (!asked) return leastArea();
+        Fit best = fittedTo(searchWidely(*asked));
+        double energy = energyOf(best);
+        for (const FitResult& other : {FitResult(leastArea()), fitLispsm(input_), fitPsm(input_, PsmShift::Casters),
+                                       fitTsm(input_, std::nullopt)}) {
+            if (!other) continue;
+            const double ofOther = energyOf(*other);
+            if (ofOther < energy) best = *other, energy = ofOther;
+        }
+        return best;
+    }
+
+    double energyOf(const Fit& fit) const
+    {
+        const auto rows = planeWarpOf(body_.frame, fit.lightClipFromLocal);
+        return rows ? lixelEnergy(choice_.metric, scratch_.all, *rows) : std::numeric_limits<double>::infinity();
+    }
+
+    double medianBadness(const Fit& fit)
+    {
+        const auto rows = planeWarpOf(body_.frame, fit.lightClipFromLocal);
+        if (!rows || scratch_.all.isEmpty()) return std::numeric_limits<double>::infinity();
+        badnesses(scratch_.all, *rows, scratch_.values);
+        const auto middle = scratch_.values.begin() + std::ptrdiff_t(scratch_.values.size() / 2);
+        std::nth_element(scratch_.values.begin(), middle, scratch_.values.end());
+        return *middle;
+    }
+
+    // An earlier map with the scale and shift that hold what is seen now. Nothing where it cannot.
+    std::optional<Fit> keptFrom(const RememberedMap& before) const
+    {
+        const auto rows = planeWarpOf(body_.frame, before.lightClipFromLocal);
+        const auto framed = rows ? warped(body_, *rows) : std::nullopt;
+        if (!framed) return std::nullopt;
+        Fit fit = fitted(*framed, RectangleKind::Upright);
+        fit.framesKept = before.framesKept + 1;
+        return fit;
+    }
+
+    const FitInput& input_;
+    const SceneOptimalFit& choice_;
+    FitScratch::OfScene& scratch_;
+    FramedBody body_;
+};
+
+} // namespace
+
 FitResult fitSceneOptimal(const FitInput& input, const SceneOptimalFit& choice)
 {
     if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
@@ -73,42 +173,9 @@ FitResult fitSceneOptimal(const FitInput& input, const SceneOptimalFit& choice)
     if (!found) return Unexpected{found.error()};
     // Corners stay where they are while other fits are tried.
     scratch.scene.bodyCorners.assign(found->corners.begin(), found->corners.end());
-    FramedBody body{found->frame, input.seenLocal, scratch.scene.bodyCorners};
+    const FramedBody body{found->frame, input.seenLocal, scratch.scene.bodyCorners};
     const bool isScaled = choice.search == MapSearchKind::Wide || !body.frame.isPerspective;
-    if (isScaled) body = scaled(body, scratch).value_or(body);
-
-    const double slack = input.seenIsAll ? 0 : choice.slack;
-    const auto fitted = [&](const FramedBody& framed, RectangleKind kind) {
-        Fit fit = withSlack(fitTightly(framed, kind, input), slack);
-        fit.isOfSamples = true;
-        return fit;
-    };
-    EdgeRays& rays = scratch.scene.all;
-    rays.assign(input.view, input.originWorld, body.frame.framedFromLocal, input.edges);
-    const std::span<const Vec3d> corners = raysOf(body, scratch.scene);
-    if (rays.isEmpty() || corners.size() < 3) return fitted(body, RectangleKind::LeastArea);
-
-    const MapQuestion question{choice.metric, rays, corners, input.mapAspect, choice.hasShear, scratch.scene};
-    const bool isWide = choice.search == MapSearchKind::Wide;
-    const FoundMap map =
-        isWide ? searchWidely(question) : descend(question, {0, 0, 1}, {choice.iterations, kPaperAngles});
-    const auto framed = warped(body, map.map);
-    if (!framed || !std::isfinite(map.energy)) return fitted(body, RectangleKind::LeastArea);
-    Fit best = fitted(*framed, RectangleKind::Upright);
-    if (!isWide) return best;
-
-    // None of the cheap fits is better.
-    const auto energyOf = [&](const Fit& fit) {
-        const auto rows = planeWarpOf(body.frame, fit.lightClipFromLocal);
-        return rows ? lixelEnergy(choice.metric, rays, *rows) : std::numeric_limits<double>::infinity();
-    };
-    double energy = energyOf(best);
-    for (const FitResult& other : {fitLispsm(input), fitPsm(input, PsmShift::Casters), fitTsm(input, std::nullopt)}) {
-        if (!other) continue;
-        const double ofOther = energyOf(*other);
-        if (ofOther < energy) best = *other, energy = ofOther;
-    }
-    return best;
+    return SceneFit(input, choice, isScaled ? scaled(body, scratch).value_or(body) : body).best();
 }
 
 } // namespace lixel

@@ -21,7 +21,9 @@ struct SceneOptimalFit
     double slack = 0.02;               // the rectangle is larger by this part, where only some receivers are known
     double awayFromBoundaries = 0.002; // weight of samples there, against 1
     int samples = 180;                 // of an observation's grid, each way
-    bool uncoveredIsLit = false;       // as the paper's single map: nothing serves what falls out
+    double keep = 0.8; // of an earlier map's median badness: a new one takes its place below that; none: infinite
+    int update = 3;    // a new one is looked for every so many frames
+    bool uncoveredIsLit = false; // as the paper's single map: nothing serves what falls out
 
     friend bool operator==(const SceneOptimalFit&, const SceneOptimalFit&) = default;
 };
@@ -32,6 +34,8 @@ struct SceneOptimalFit
 //
 //   Needs    view samples, and those of them near shadow boundaries: without any, the rectangle of least area
 //   Returns  never a worse map, by its own metric, than desired-view(rotated), lispsm, psm and tsm give (search=wide)
+//   Before   FitInput::before is kept, with the scale and shift that hold the samples of now, until a new map's median badness is
+//            clearly below its (section 2.3, step 5)
 //   Refuses  EmptyScene, NoViewSamples, NothingInView, ExtentNotInHemisphere
 //   Differs  parallel light has its place across the light, scaled to [-1, 1], for a direction (the paper leaves it out); the metric is a
 //            parameter, and the paper's is not the default; so is the search, whose default is not the paper's
