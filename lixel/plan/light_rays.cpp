@@ -8,13 +8,11 @@
 namespace lixel {
 namespace {
 
-// What is thinner than this, of angles, is rounding.
-constexpr double kSliver = 1e-12;
-
 // A map has this much room around its rays, of half the fit it was cut from.
 constexpr double kRoom = 1e-6;
 
-// Of the directions of rays, and of the sums that their images are.
+// Of the directions of rays, and of the sums that their images are: what is thinner than this, of angles, is rounding. Not much
+// more is, since a scene a million of its radii away is such a part of a radian itself.
 constexpr double kDoubleRounding = 16 * 0x1p-53;
 
 // So many convex pieces are worth their time.
@@ -89,8 +87,9 @@ Vec3d RaySpace::at(const LightFrame& frame, Vec2d onPlane) const
 bool RaySpace::holdsLight(const Plane& planeLocal, double sceneSize) const
 {
     if (isParallel_) return std::abs(dot(planeLocal.normal, back_)) <= kInPlane * length(planeLocal.normal);
+    // What is taken for a plane through the light is off by its distance from it, wherever the scene is: no more than nothing there.
     return std::abs(planeLocal.signedDistance(lightLocal_)) <=
-           kInPlane * (sceneSize + length(lightLocal_)) * length(planeLocal.normal);
+           (kInPlane * sceneSize + kDoubleRounding * length(lightLocal_)) * length(planeLocal.normal);
 }
 
 Vec4d RaySpace::imageOf(Vec3d ray) const
@@ -142,7 +141,7 @@ void subtract(std::vector<RayPolygon>& rays, std::span<const Vec3d> insides, std
         for (const Vec3d& inside : insides) {
             if (left.empty()) break;
             if (isAll(left, inside)) continue;
-            const RayPolygon outside = clippedBeyond(left, -1.0 * inside, kSliver);
+            const RayPolygon outside = clippedBeyond(left, -1.0 * inside, kDoubleRounding);
             if (!outside.empty()) room.push_back(outside);
             left = clipped(left, inside);
         }
@@ -169,14 +168,16 @@ std::optional<Fit> croppedTo(const Fit& fit, const RaySpace& space, std::span<co
     if (fit.snapsToWorld || fit.pixels) return fit;
     const Mat4d& clip = fit.lightClipFromLocal;
     const Vec4d x = clip.row(0), y = clip.row(1), w = clip.row(3);
-    const std::array<Vec3d, 4> sides{space.insideOf({xyz(w + x), (w + x).w}), space.insideOf({xyz(w - x), (w - x).w}),
-                                     space.insideOf({xyz(w + y), (w + y).w}), space.insideOf({xyz(w - y), (w - y).w})};
+    // Rays of receivers on the border of what the fit holds are in its square but for rounding.
+    const Vec4d wide = (1 + kUnroomed) * w;
+    const auto inside = [&](Vec4d side) { return space.insideOf({xyz(side), side.w}); };
+    const std::array<Vec3d, 4> sides{inside(wide + x), inside(wide - x), inside(wide + y), inside(wide - y)};
     const LightFrame frame = space.frameOf(fit);
     scratch.points.clear();
     double rounding = 0; // of rays, in their image
     for (const RayPolygon& polygon : rays) {
         RayPolygon within = polygon;
-        for (const Vec3d& side : sides) within = clipped(within, side);
+        for (const Vec3d& side : sides) within = clippedBeyond(within, side, -kDoubleRounding);
         for (const Vec3d& ray : within) {
             const Vec4d q = frame.framedFromLocal * space.imageOf(ray);
             if (!(q.w > 0)) return fit;
