@@ -297,7 +297,7 @@ bool LightPlanner::takeAwayServed(const RaySpace& space)
     for (const Candidate& candidate : candidates_) {
         if (candidate.fit.narrowedToLocal) return false;
         FixedVector<Vec3d, 2 * CellPlanes::capacity()> insides;
-        for (const CellPlanes* planes : {&candidate.ownLocal, &candidate.fit.holdsLocal})
+        for (const CellPlanes* planes : {&candidate.halfSpacesLocal, &candidate.fit.holdsLocal})
             for (const Plane& plane : *planes) {
                 if (!space.holdsLight(plane, sceneSize)) {
                     if (!holdsAllSeen(plane)) return false;
@@ -344,7 +344,7 @@ std::optional<FitFailure> LightPlanner::add(const Cell& cell, const FitChoice& f
     std::optional<Fit> chosen = *result;
     if (isCropping_) chosen = cropped(*result, cell);
     if (!chosen) return FitFailure::NothingInView;
-    Candidate candidate{*chosen, cell.ownLocal, cell.servesLocal, cell.planeNumber, {}, {}};
+    Candidate candidate{*chosen, cell.servesLocal, cell.planeNumber, {}, {}};
     if (chosen->pixels && cell.plane) candidate.pixelPlaneLocal = turnedToLight(cell.plane->planeLocal);
     if (chosen->narrowedToLocal) candidate.halfSpacesLocal.push_back(*chosen->narrowedToLocal);
     candidates_.push_back(candidate);

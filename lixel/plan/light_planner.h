@@ -29,7 +29,7 @@ private:
     struct Candidate
     {
         Fit fit;
-        CellPlanes ownLocal, halfSpacesLocal; // its own rays; asked of receivers
+        CellPlanes halfSpacesLocal; // asked of receivers
         int plane = -1;
         Need need;
         std::optional<Plane> pixelPlaneLocal; // of a map with a lixel a pixel
