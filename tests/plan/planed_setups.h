@@ -2,7 +2,6 @@
 #pragma once
 
 #include "lixel/base/plane.h"
-#include "lixel/plan/fit/plane_optimal.h"
 #include "plan/receivers.h"
 
 #include <string>
@@ -62,23 +61,6 @@ inline std::vector<NamedPlane> anyPlanes(const RandomSetup& setup, Rng& rng, boo
         planes.back().name = std::string(1, char('a' + i));
     }
     return planes;
-}
-
-// Whether a region's map is made for a receiver. That of a plane is made for those whose light rays meet it within the picture; others that
-// happen to lie in it are served as well, without a guard band.
-inline bool isMadeFor(const PlannedRegion& region, const ShadowPlan& plan, std::span<const NamedPlane> planes,
-                      const RandomSetup& setup, Vec3d pointLocal)
-{
-    if (region.plane < 0) return true;
-    const auto number = std::size_t(region.plane);
-    const Plane plane = plan.foundPlanes.empty()
-                            ? planeThrough(planes[number].pointWorld - setup.originWorld, planes[number].normalWorld)
-                            : plan.foundPlanes[number].planeLocal;
-    const auto frame =
-        planeOptimalFrame(setup.view, setup.light, setup.originWorld, plane, setup.sceneLocal().diagonal());
-    if (!frame) return true;
-    const Vec4d q = frame->framedFromLocal * point(pointLocal);
-    return q.x >= 0 && q.x <= setup.view.width * q.w && q.y >= 0 && q.y <= setup.view.height * q.w;
 }
 
 // As if some lights had been looked up at these samples, with shadows that end anywhere.
