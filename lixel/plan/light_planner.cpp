@@ -180,7 +180,7 @@ std::optional<FitFailure> LightPlanner::tryPlanes(const InterestPlanes& planes, 
     candidates_.clear();
     leftOut.clear();
     isCropping_ = false;
-    fitInput_.visibleLocal = {};
+    fitInput_.visible = nullptr;
     seenLocal_ = triedLocal_.value_or(scratch_.seenLocal);
     fitInput_.cellLocal.clear();
     std::optional<FitFailure> refused = FitFailure::NoSuchPlane;
@@ -266,10 +266,14 @@ void LightPlanner::findUnservedRays()
         isCropping_ = true;
         return;
     }
-    fitInput_.visibleLocal = {};
+    fitInput_.visible = nullptr;
     findVisiblePoints(fitInput_, scratch_.pointsOfRays);
-    fitInput_.visibleLocal = scratch_.pointsOfRays;
-    raysThrough(fitInput_, space, scratch_.pointsOfRays, scratch_.rays);
+    visible_ = raysThrough(fitInput_, space, scratch_.pointsOfRays, scratch_.rays);
+    if (visible_) {
+        scratch_.cornersOfRays.assign(visible_->corners.begin(), visible_->corners.end());
+        visible_->corners = scratch_.cornersOfRays;
+        fitInput_.visible = &*visible_;
+    }
     isCropping_ = takeAwayServed(space);
 }
 

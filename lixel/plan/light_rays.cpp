@@ -15,6 +15,9 @@ constexpr double kRoom = 1e-6;
 // more is, since a scene a million of its radii away is such a part of a radian itself.
 constexpr double kDoubleRounding = 16 * 0x1p-53;
 
+// Corners of an image nearer to each other than this part of it are one.
+constexpr double kOneCorner = 1e-9;
+
 // So many convex pieces are worth their time.
 constexpr std::size_t kMostPieces = 256;
 
@@ -45,6 +48,25 @@ RayPolygon clippedBeyond(const RayPolygon& polygon, Vec3d inside, double least)
     }
     if (out.size() < 3) out.clear();
     return out;
+}
+
+// The hull of a body's image. Corners that are one but for rounding are: how many there are must not hang on it.
+std::span<const NumberedPoint> cornersOf(const FramedBody& body, FitScratch::OnPlane& scratch)
+{
+    scratch.numbered.clear();
+    Vec2d most;
+    for (std::size_t i = 0; i < body.corners.size(); ++i) {
+        const Vec2d p = onLightPlane(body.frame, body.corners[i]);
+        most = {std::max(most.x, std::abs(p.x)), std::max(most.y, std::abs(p.y))};
+        scratch.numbered.push_back({p, std::uint32_t(i)});
+    }
+    std::vector<NumberedPoint>& hull = scratch.numberedHull;
+    hull.resize(scratch.numbered.size() + 1);
+    hull.resize(convexHull(scratch.numbered, hull));
+    const double least = kOneCorner * length(most);
+    const auto isOne = [least](const NumberedPoint& a, const NumberedPoint& b) { return length(b.p - a.p) <= least; };
+    hull.erase(std::unique(hull.begin(), hull.end(), isOne), hull.end());
+    return hull;
 }
 
 bool isAll(const RayPolygon& polygon, Vec3d inside)
@@ -101,36 +123,30 @@ Vec4d RaySpace::imageOf(Vec3d ray) const
 
 RayPolygon clipped(const RayPolygon& polygon, Vec3d inside) { return clippedBeyond(polygon, inside, 0); }
 
-void raysThrough(const FitInput& input, const RaySpace& space, std::span<const Vec3d> pointsLocal,
-                 std::vector<RayPolygon>& rays)
+std::optional<FramedBody> raysThrough(const FitInput& input, const RaySpace& space, std::span<const Vec3d> pointsLocal,
+                                      std::vector<RayPolygon>& rays)
 {
     rays.clear();
-    if (pointsLocal.empty()) return;
-    FitScratch::OnPlane& plane = input.scratch.plane;
-    if (const auto body = frameAround(input, pointsLocal)) {
-        plane.numbered.clear();
-        for (std::size_t i = 0; i < body->corners.size(); ++i)
-            plane.numbered.push_back({onLightPlane(body->frame, body->corners[i]), std::uint32_t(i)});
-        plane.numberedHull.resize(plane.numbered.size() + 1);
-        const std::size_t corners = convexHull(plane.numbered, plane.numberedHull);
-        if (corners >= 3 && corners <= kMostRayCorners / 2) { // leaves room for what clipping adds
-            RayPolygon polygon;
-            for (std::size_t i = 0; i < corners; ++i)
-                polygon.push_back(space.through(body->corners[plane.numberedHull[i].number]));
-            rays.push_back(polygon);
-            return;
-        }
+    if (pointsLocal.empty()) return std::nullopt;
+    const auto body = frameAround(input, pointsLocal);
+    if (!body) {
+        for (const double x : {1.0, -1.0})
+            for (const double y : {1.0, -1.0})
+                for (const double z : {1.0, -1.0}) rays.push_back({Vec3d{x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, z}});
+        return std::nullopt;
+    }
+    const std::span<const NumberedPoint> hull = cornersOf(*body, input.scratch.plane);
+    RayPolygon polygon;
+    if (hull.size() >= 3 && hull.size() <= kMostRayCorners / 2) { // leaves room for what clipping adds
+        for (const NumberedPoint& corner : hull) polygon.push_back(space.through(body->corners[corner.number]));
+    } else {
         const OrientedRectangle around = rectangleAround(*body, RectangleKind::LeastArea, input.scratch);
         const Vec2d a = around.halfSize.x * around.axis, b = around.halfSize.y * Vec2d{-around.axis.y, around.axis.x};
-        RayPolygon polygon;
         for (const auto& [sa, sb] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}})
             polygon.push_back(space.at(body->frame, around.centre + sa * a + sb * b));
-        rays.push_back(polygon);
-        return;
     }
-    for (const double x : {1.0, -1.0})
-        for (const double y : {1.0, -1.0})
-            for (const double z : {1.0, -1.0}) rays.push_back({Vec3d{x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, z}});
+    rays.push_back(polygon);
+    return *body;
 }
 
 void subtract(std::vector<RayPolygon>& rays, std::span<const Vec3d> insides, std::vector<RayPolygon>& room)

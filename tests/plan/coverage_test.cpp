@@ -56,13 +56,8 @@ void expectCovers(const RandomSetup& setup, const char* technique, bool isOrdina
         shared::LxReceiver receiver{};
         const PlannedRegion* region = serving(plan, samples.positionLocal[i], samples.normal[i], receiver);
         ASSERT_NE(region, nullptr) << technique << ": unserved";
-        const LixelRectangle& r = region->rectangle;
+        test::expectReachInside(*region, plan.lookup, receiver);
         const Vec3d p = toDouble(samples.positionLocal[i]);
-        const double x = test::reachIn(r.width(), plan.lookup.reach), y = test::reachIn(r.height(), plan.lookup.reach);
-        EXPECT_GE(receiver.lixel.x, r.x0 + x);
-        EXPECT_LE(receiver.lixel.x, r.x1 - x);
-        EXPECT_GE(receiver.lixel.y, r.y0 + y);
-        EXPECT_LE(receiver.lixel.y, r.y1 - y);
         const Vec4d c = region->lightClipFromLocal * point(p);
         EXPECT_GT(c.w, 0);
         EXPECT_LE(c.z / c.w, 1);

@@ -69,8 +69,8 @@ struct FitScratch
     OfScene scene;
     // View samples that face the light, those of them that no region serves yet, and those of a region.
     std::vector<Vec3d> seenLocal, seenNormal, seenUnservedLocal, seenInCellLocal;
-    std::vector<RayPolygon> rays, raysRoom; // those that no region serves yet
-    std::vector<Vec3d> pointsOfRays;        // what those rays were found from
+    std::vector<RayPolygon> rays, raysRoom;         // those that no region serves yet
+    std::vector<Vec3d> pointsOfRays, cornersOfRays; // what those rays were found from
     std::vector<NeedSample> need;
     BoundaryDirections boundaryDirections;
     std::vector<Vec3d> needLocal; // where they are
@@ -109,6 +109,8 @@ struct PixelRectangle
     friend bool operator==(const PixelRectangle&, const PixelRectangle&) = default;
 };
 
+struct FramedBody; // light_frame.h
+
 struct FitInput
 {
     const View& view;
@@ -126,8 +128,7 @@ struct FitInput
     bool seenIsAll = false;                 // the view samples are all receivers that will be asked
     std::span<const NeedSample> edges = {}; // of this region, near shadow boundaries (scene_optimal.h)
     double mapAspect = 1;                   // lixels across the map over those along it, as far as that is known
-    std::span<const Vec3d> visibleLocal =
-        {}; // what findVisiblePoints() gives without a cell, where that is known already
+    const FramedBody* visible = nullptr;    // what visibleBody() gives without a cell, where that is known already
 };
 
 // Needs nothing of the map's size. lightClipFromLocal is in lixel's convention (clip_convention.h): receivers that matter

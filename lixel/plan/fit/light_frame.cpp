@@ -341,6 +341,7 @@ Expected<FramedBody, FitFailure> frameAround(const FitInput& input, std::span<co
 Expected<FramedBody, FitFailure> visibleBody(const FitInput& input)
 {
     if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
+    if (input.cellLocal.empty() && input.visible) return *input.visible;
     findVisiblePoints(input, input.scratch.points);
     if (input.scratch.points.empty()) return Unexpected{FitFailure::NothingInView};
     return frameAround(input, input.scratch.points);
