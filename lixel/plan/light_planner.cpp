@@ -180,7 +180,7 @@ std::optional<FitFailure> LightPlanner::tryPlanes(const InterestPlanes& planes, 
     candidates_.clear();
     leftOut.clear();
     isCropping_ = false;
-    fitInput_.visibleLocal = {};
+    fitInput_.visible = nullptr;
     seenLocal_ = triedLocal_.value_or(scratch_.seenLocal);
     fitInput_.cellLocal.clear();
     std::optional<FitFailure> refused = FitFailure::NoSuchPlane;
@@ -266,10 +266,14 @@ void LightPlanner::findUnservedRays()
         isCropping_ = true;
         return;
     }
-    fitInput_.visibleLocal = {};
+    fitInput_.visible = nullptr;
     findVisiblePoints(fitInput_, scratch_.pointsOfRays);
-    fitInput_.visibleLocal = scratch_.pointsOfRays;
-    raysThrough(fitInput_, space, scratch_.pointsOfRays, scratch_.rays);
+    visible_ = raysThrough(fitInput_, space, scratch_.pointsOfRays, scratch_.rays);
+    if (visible_) {
+        scratch_.cornersOfRays.assign(visible_->corners.begin(), visible_->corners.end());
+        visible_->corners = scratch_.cornersOfRays;
+        fitInput_.visible = &*visible_;
+    }
     isCropping_ = takeAwayServed(space);
 }
 
@@ -297,7 +301,7 @@ bool LightPlanner::takeAwayServed(const RaySpace& space)
     for (const Candidate& candidate : candidates_) {
         if (candidate.fit.narrowedToLocal) return false;
         FixedVector<Vec3d, 2 * CellPlanes::capacity()> insides;
-        for (const CellPlanes* planes : {&candidate.ownLocal, &candidate.fit.holdsLocal})
+        for (const CellPlanes* planes : {&candidate.halfSpacesLocal, &candidate.fit.holdsLocal})
             for (const Plane& plane : *planes) {
                 if (!space.holdsLight(plane, sceneSize)) {
                     if (!holdsAllSeen(plane)) return false;
@@ -347,7 +351,7 @@ std::optional<FitFailure> LightPlanner::add(const Cell& cell, const FitChoice& f
     std::optional<Fit> chosen = *result;
     if (isCropping_) chosen = cropped(*result, cell);
     if (!chosen) return FitFailure::NothingInView;
-    Candidate candidate{*chosen, cell.ownLocal, cell.servesLocal, cell.planeNumber, {}, {}};
+    Candidate candidate{*chosen, cell.servesLocal, cell.planeNumber, {}, {}};
     if (chosen->pixels && cell.plane) candidate.pixelPlaneLocal = turnedToLight(cell.plane->planeLocal);
     if (chosen->narrowedToLocal) candidate.halfSpacesLocal.push_back(*chosen->narrowedToLocal);
     candidates_.push_back(candidate);

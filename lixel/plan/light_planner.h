@@ -29,7 +29,7 @@ private:
     struct Candidate
     {
         Fit fit;
-        CellPlanes ownLocal, halfSpacesLocal; // its own rays; asked of receivers
+        CellPlanes halfSpacesLocal; // asked of receivers
         int plane = -1;
         Need need;
         std::optional<Plane> pixelPlaneLocal; // of a map with a lixel a pixel
@@ -64,6 +64,7 @@ private:
     std::size_t number_;                               // the light's
     std::optional<std::span<const Vec3d>> triedLocal_; // what stands for the view samples while plans are only tried
     std::span<const Vec3d> seenLocal_;                 // view samples that face the light and are still to be served
+    std::optional<FramedBody> visible_;                // all that may be seen, where rays were found from it
     bool isCropping_ = false;                          // what is added now serves scratch.rays only
 };
 

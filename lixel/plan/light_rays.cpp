@@ -8,14 +8,15 @@
 namespace lixel {
 namespace {
 
-// What is thinner than this, of angles, is rounding.
-constexpr double kSliver = 1e-12;
-
 // A map has this much room around its rays, of half the fit it was cut from.
 constexpr double kRoom = 1e-6;
 
-// Of the directions of rays, and of the sums that their images are.
+// Of the directions of rays, and of the sums that their images are: what is thinner than this, of angles, is rounding. Not much
+// more is, since a scene a million of its radii away is such a part of a radian itself.
 constexpr double kDoubleRounding = 16 * 0x1p-53;
+
+// Corners of an image nearer to each other than this part of it are one.
+constexpr double kOneCorner = 1e-9;
 
 // So many convex pieces are worth their time.
 constexpr std::size_t kMostPieces = 256;
@@ -47,6 +48,25 @@ RayPolygon clippedBeyond(const RayPolygon& polygon, Vec3d inside, double least)
     }
     if (out.size() < 3) out.clear();
     return out;
+}
+
+// The hull of a body's image. Corners that are one but for rounding are: how many there are must not hang on it.
+std::span<const NumberedPoint> cornersOf(const FramedBody& body, FitScratch::OnPlane& scratch)
+{
+    scratch.numbered.clear();
+    Vec2d most;
+    for (std::size_t i = 0; i < body.corners.size(); ++i) {
+        const Vec2d p = onLightPlane(body.frame, body.corners[i]);
+        most = {std::max(most.x, std::abs(p.x)), std::max(most.y, std::abs(p.y))};
+        scratch.numbered.push_back({p, std::uint32_t(i)});
+    }
+    std::vector<NumberedPoint>& hull = scratch.numberedHull;
+    hull.resize(scratch.numbered.size() + 1);
+    hull.resize(convexHull(scratch.numbered, hull));
+    const double least = kOneCorner * length(most);
+    const auto isOne = [least](const NumberedPoint& a, const NumberedPoint& b) { return length(b.p - a.p) <= least; };
+    hull.erase(std::unique(hull.begin(), hull.end(), isOne), hull.end());
+    return hull;
 }
 
 bool isAll(const RayPolygon& polygon, Vec3d inside)
@@ -89,8 +109,9 @@ Vec3d RaySpace::at(const LightFrame& frame, Vec2d onPlane) const
 bool RaySpace::holdsLight(const Plane& planeLocal, double sceneSize) const
 {
     if (isParallel_) return std::abs(dot(planeLocal.normal, back_)) <= kInPlane * length(planeLocal.normal);
+    // What is taken for a plane through the light is off by its distance from it, wherever the scene is: no more than nothing there.
     return std::abs(planeLocal.signedDistance(lightLocal_)) <=
-           kInPlane * (sceneSize + length(lightLocal_)) * length(planeLocal.normal);
+           (kInPlane * sceneSize + kDoubleRounding * length(lightLocal_)) * length(planeLocal.normal);
 }
 
 Vec4d RaySpace::imageOf(Vec3d ray) const
@@ -102,36 +123,30 @@ Vec4d RaySpace::imageOf(Vec3d ray) const
 
 RayPolygon clipped(const RayPolygon& polygon, Vec3d inside) { return clippedBeyond(polygon, inside, 0); }
 
-void raysThrough(const FitInput& input, const RaySpace& space, std::span<const Vec3d> pointsLocal,
-                 std::vector<RayPolygon>& rays)
+std::optional<FramedBody> raysThrough(const FitInput& input, const RaySpace& space, std::span<const Vec3d> pointsLocal,
+                                      std::vector<RayPolygon>& rays)
 {
     rays.clear();
-    if (pointsLocal.empty()) return;
-    FitScratch::OnPlane& plane = input.scratch.plane;
-    if (const auto body = frameAround(input, pointsLocal)) {
-        plane.numbered.clear();
-        for (std::size_t i = 0; i < body->corners.size(); ++i)
-            plane.numbered.push_back({onLightPlane(body->frame, body->corners[i]), std::uint32_t(i)});
-        plane.numberedHull.resize(plane.numbered.size() + 1);
-        const std::size_t corners = convexHull(plane.numbered, plane.numberedHull);
-        if (corners >= 3 && corners <= kMostRayCorners / 2) { // leaves room for what clipping adds
-            RayPolygon polygon;
-            for (std::size_t i = 0; i < corners; ++i)
-                polygon.push_back(space.through(body->corners[plane.numberedHull[i].number]));
-            rays.push_back(polygon);
-            return;
-        }
+    if (pointsLocal.empty()) return std::nullopt;
+    const auto body = frameAround(input, pointsLocal);
+    if (!body) {
+        for (const double x : {1.0, -1.0})
+            for (const double y : {1.0, -1.0})
+                for (const double z : {1.0, -1.0}) rays.push_back({Vec3d{x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, z}});
+        return std::nullopt;
+    }
+    const std::span<const NumberedPoint> hull = cornersOf(*body, input.scratch.plane);
+    RayPolygon polygon;
+    if (hull.size() >= 3 && hull.size() <= kMostRayCorners / 2) { // leaves room for what clipping adds
+        for (const NumberedPoint& corner : hull) polygon.push_back(space.through(body->corners[corner.number]));
+    } else {
         const OrientedRectangle around = rectangleAround(*body, RectangleKind::LeastArea, input.scratch);
         const Vec2d a = around.halfSize.x * around.axis, b = around.halfSize.y * Vec2d{-around.axis.y, around.axis.x};
-        RayPolygon polygon;
         for (const auto& [sa, sb] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}})
             polygon.push_back(space.at(body->frame, around.centre + sa * a + sb * b));
-        rays.push_back(polygon);
-        return;
     }
-    for (const double x : {1.0, -1.0})
-        for (const double y : {1.0, -1.0})
-            for (const double z : {1.0, -1.0}) rays.push_back({Vec3d{x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, z}});
+    rays.push_back(polygon);
+    return *body;
 }
 
 void subtract(std::vector<RayPolygon>& rays, std::span<const Vec3d> insides, std::vector<RayPolygon>& room)
@@ -142,7 +157,7 @@ void subtract(std::vector<RayPolygon>& rays, std::span<const Vec3d> insides, std
         for (const Vec3d& inside : insides) {
             if (left.empty()) break;
             if (isAll(left, inside)) continue;
-            const RayPolygon outside = clippedBeyond(left, -1.0 * inside, kSliver);
+            const RayPolygon outside = clippedBeyond(left, -1.0 * inside, kDoubleRounding);
             if (!outside.empty()) room.push_back(outside);
             left = clipped(left, inside);
         }
@@ -169,14 +184,16 @@ std::optional<Fit> croppedTo(const Fit& fit, const RaySpace& space, std::span<co
     if (fit.snapsToWorld || fit.pixels) return fit;
     const Mat4d& clip = fit.lightClipFromLocal;
     const Vec4d x = clip.row(0), y = clip.row(1), w = clip.row(3);
-    const std::array<Vec3d, 4> sides{space.insideOf({xyz(w + x), (w + x).w}), space.insideOf({xyz(w - x), (w - x).w}),
-                                     space.insideOf({xyz(w + y), (w + y).w}), space.insideOf({xyz(w - y), (w - y).w})};
+    // Rays of receivers on the border of what the fit holds are in its square but for rounding.
+    const Vec4d wide = (1 + kUnroomed) * w;
+    const auto inside = [&](Vec4d side) { return space.insideOf({xyz(side), side.w}); };
+    const std::array<Vec3d, 4> sides{inside(wide + x), inside(wide - x), inside(wide + y), inside(wide - y)};
     const LightFrame frame = space.frameOf(fit);
     scratch.points.clear();
     double rounding = 0; // of rays, in their image
     for (const RayPolygon& polygon : rays) {
         RayPolygon within = polygon;
-        for (const Vec3d& side : sides) within = clipped(within, side);
+        for (const Vec3d& side : sides) within = clippedBeyond(within, side, -kDoubleRounding);
         for (const Vec3d& ray : within) {
             const Vec4d q = frame.framedFromLocal * space.imageOf(ray);
             if (!(q.w > 0)) return fit;

@@ -40,9 +40,10 @@ private:
 // What of a polygon is inside a half-space; empty where nothing is. All of it where that would have too many corners.
 RayPolygon clipped(const RayPolygon& polygon, Vec3d inside);
 
-// All rays through some points: one polygon around them, or, where they do not fit half a sphere, the whole sphere in eight.
-void raysThrough(const FitInput& input, const RaySpace& space, std::span<const Vec3d> pointsLocal,
-                 std::vector<RayPolygon>& rays);
+// All rays through some points: one polygon around them, or, where they do not fit half a sphere, the whole sphere in eight. Returns the
+// points as frameAround() has them, its corners in the input's scratch; nothing where it has not.
+std::optional<FramedBody> raysThrough(const FitInput& input, const RaySpace& space, std::span<const Vec3d> pointsLocal,
+                                      std::vector<RayPolygon>& rays);
 
 // Takes away the rays inside all of some half-spaces. What is left is cut into convex pieces; pieces that are nothing but rounding go.
 // A set that would be cut into more than a few hundred is left as it was.

@@ -27,21 +27,13 @@ void expectFinite(const FramePlan& plan)
         }
 }
 
-void expectServed(const FramePlan& plan, const RandomSetup& setup, std::span<const NamedPlane> planes,
-                  const ViewSamples& samples, bool isRoomy)
+void expectServed(const FramePlan& plan, const ViewSamples& samples, bool isRoomy)
 {
     for (std::size_t i = 0; i < samples.size(); ++i) {
         shared::LxReceiver receiver{};
         const PlannedRegion* region = test::serving(plan, samples.positionLocal[i], samples.normal[i], receiver);
         ASSERT_NE(region, nullptr) << "unserved";
-        if (!isRoomy || !test::isMadeFor(*region, plan.lights[0], planes, setup, toDouble(samples.positionLocal[i])))
-            continue;
-        const LixelRectangle& r = region->rectangle;
-        const double x = test::reachIn(r.width(), plan.lookup.reach), y = test::reachIn(r.height(), plan.lookup.reach);
-        EXPECT_GE(receiver.lixel.x, r.x0 + x);
-        EXPECT_LE(receiver.lixel.x, r.x1 - x);
-        EXPECT_GE(receiver.lixel.y, r.y0 + y);
-        EXPECT_LE(receiver.lixel.y, r.y1 - y);
+        if (isRoomy) test::expectReachInside(*region, plan.lookup, receiver);
     }
 }
 
@@ -64,13 +56,11 @@ TEST_P(Awkward, SetupsHaveFinitePlansThatServeEveryReceiverOrAreRefusedByName)
         if (rng.chance(0.7) || needsViewSamples(input.technique)) input.seen = &samples;
         input.seenIsAll = input.seen && rng.chance(0.5);
         test::PlanedCase planed;
-        if (std::holds_alternative<PlanesPartition>(input.technique.partition))
-            planed.giveTo(input, setup, samples, rng, false);
+        if (test::wantsMore(input.technique)) planed.giveTo(input, setup, samples, rng, false);
         const FramePlan plan = planShadows(input);
         EXPECT_LE(plan.lixelsOf(0), std::int64_t(budget.width) * budget.height);
         expectFinite(plan);
-        if (!plan.lights[0].refused)
-            expectServed(plan, setup, planed.planes, samples, budget.width * budget.height >= 256);
+        if (!plan.lights[0].refused) expectServed(plan, samples, budget.width * budget.height >= 256);
         else if (samples.size() > 0) {
             EXPECT_NE(*plan.lights[0].refused, FitFailure::NothingInView);
         }
@@ -104,6 +94,7 @@ constexpr const char* kTechniques[] = {"uniform",
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Awkward, testing::ValuesIn(kTechniques), test::testName);
 INSTANTIATE_TEST_SUITE_P(Planes, Awkward, testing::ValuesIn(test::kPlaneTechniques), test::testName);
+INSTANTIATE_TEST_SUITE_P(Scene, Awkward, testing::ValuesIn(test::kSceneTechniques), test::testName);
 
 } // namespace
 } // namespace lixel

@@ -43,8 +43,7 @@ void expectCovers(const RandomSetup& setup, const char* technique, bool isOrdina
                     {512, 384}};
     input.seen = &samples;
     test::PlanedCase planed;
-    if (std::holds_alternative<PlanesPartition>(input.technique.partition))
-        planed.giveTo(input, setup, samples, rng, isOrdinary);
+    if (test::wantsMore(input.technique)) planed.giveTo(input, setup, samples, rng, isOrdinary);
     const FramePlan plan = planShadows(input);
     ++tally.cases;
     if (plan.lights[0].refused) {
@@ -56,20 +55,11 @@ void expectCovers(const RandomSetup& setup, const char* technique, bool isOrdina
         shared::LxReceiver receiver{};
         const PlannedRegion* region = serving(plan, samples.positionLocal[i], samples.normal[i], receiver);
         ASSERT_NE(region, nullptr) << technique << ": unserved";
-        const LixelRectangle& r = region->rectangle;
+        test::expectReachInside(*region, plan.lookup, receiver);
         const Vec3d p = toDouble(samples.positionLocal[i]);
-        const bool isMadeFor = test::isMadeFor(*region, plan.lights[0], planed.planes, setup, p);
-        if (isMadeFor) {
-            const double x = test::reachIn(r.width(), plan.lookup.reach),
-                         y = test::reachIn(r.height(), plan.lookup.reach);
-            EXPECT_GE(receiver.lixel.x, r.x0 + x);
-            EXPECT_LE(receiver.lixel.x, r.x1 - x);
-            EXPECT_GE(receiver.lixel.y, r.y0 + y);
-            EXPECT_LE(receiver.lixel.y, r.y1 - y);
-        }
         const Vec4d c = region->lightClipFromLocal * point(p);
         EXPECT_GT(c.w, 0);
-        EXPECT_LE(c.z / c.w, region->plane < 0 ? 1 : 1 + 1e-6);
+        EXPECT_LE(c.z / c.w, 1);
         // Anything between it and the light is drawn in the same place, no farther.
         const Vec3d caster = p + rng.uniform(0, 0.5) * setup.radius * towardsLight(setup.light, setup.originWorld, p);
         const Vec4d q = region->lightClipFromLocal * point(caster);
@@ -131,6 +121,7 @@ TEST_P(Coverage, IsSeldomRefusedInOrdinarySetups)
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Coverage, testing::ValuesIn(kTechniques), test::testName);
 INSTANTIATE_TEST_SUITE_P(Planes, Coverage, testing::ValuesIn(test::kPlaneTechniques), test::testName);
+INSTANTIATE_TEST_SUITE_P(Scene, Coverage, testing::ValuesIn(test::kSceneTechniques), test::testName);
 
 } // namespace
 } // namespace lixel

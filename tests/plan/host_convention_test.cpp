@@ -4,6 +4,7 @@
 #include "lixel/plan/host_view.h"
 
 #include "plan/host_cameras.h"
+#include "plan/planed_setups.h"
 #include "plan/random_setups.h"
 
 #include <gtest/gtest.h>
@@ -38,6 +39,13 @@ constexpr const char* kTechniques[] = {
     "cube",
     "cube+desired-view",
     "lispsm+else(focused)",
+    "planes(a)",
+    "planes(a,b,c)",
+    "planes(a,b,twist=line)+else(lispsm)",
+    "planes(a,b,twist=none)+else(cube)",
+    "planes(a,b)+plane-optimal(desired-view)",
+    "planes(a,b)+focused",
+    "planes(a,b)+allocation=exact",
 };
 
 MapTechnique techniqueOf(const char* text) { return std::get<MapTechnique>(parseTechnique(text).value()); }
@@ -139,16 +147,19 @@ TEST(HostConvention, AViewIsTheSameWhateverHostItComesFrom)
 
 TEST(HostConvention, EveryTechniqueGivesEveryHostTheSameLixelOfAPoint)
 {
-    int planned = 0;
+    int planned = 0, ofPlanes = 0;
     const auto tryHost = [&](const MapTechnique& technique, const Host& host, Lens lens, bool isInfinite, Rng& rng) {
         Camera camera;
         const test::RandomSetup setup = anySetupSeenBy(rng, lens, isInfinite, camera);
         // Beyond, rounding of the eye's place moves the picture by more than a map's details.
         if (length(camera.eyeWorld) > 1e5 * setup.radius) return;
-        const LixelSize lixels{rng.integer(64, 1024), rng.integer(64, 1024)};
+        const int most = technique.allocation == Allocation::Exact ? 4096 : 1024; // of whole pictures a lixel a pixel
+        const LixelSize lixels{rng.integer(most / 16, most), rng.integer(most / 16, most)};
         PlanInput input{setup.view, {&setup.light, 1}, setup.boxesWorld, setup.originWorld, technique, lixels};
         const ViewSamples seen = anySamples(setup, pointsOf(setup, rng, 200));
         input.seen = &seen;
+        const std::vector<NamedPlane> planes = test::anyPlanes(setup, rng);
+        input.planes = planes;
         const FramePlan own = planShadows(input);
         input.view = viewOf(test::matricesOf(camera, host), camera, host).value();
         const FramePlan plan = planShadows(input);
@@ -159,6 +170,7 @@ TEST(HostConvention, EveryTechniqueGivesEveryHostTheSameLixelOfAPoint)
         for (std::size_t i = 0; i < plan.lights[0].regions.size(); ++i) {
             const PlannedRegion &ownRegion = own.lights[0].regions[i], &region = plan.lights[0].regions[i];
             ASSERT_EQ(ownRegion.rectangle, region.rectangle);
+            ofPlanes += region.plane >= 0;
             const LightImage image(ownRegion.lightClipFromLocal, ownRegion.rectangle);
             const HostRegion drawn = toHost(region, plan.atlas, host.clip, host.origin);
             for (const Vec3d& p : pointsOf(setup, rng, 8)) {
@@ -176,12 +188,14 @@ TEST(HostConvention, EveryTechniqueGivesEveryHostTheSameLixelOfAPoint)
     for (const char* text : kTechniques) {
         SCOPED_TRACE(text);
         MapTechnique technique = techniqueOf(text);
-        technique.allocation = Allocation::Share; // shares by need round to lixels, which may tip over
+        // Shares by need round to lixels, which may tip over.
+        if (technique.allocation == Allocation::Need) technique.allocation = Allocation::Share;
         forEachHostAndLens(10, [&](const Host& host, Lens lens, bool isInfinite, Rng& rng) {
             tryHost(technique, host, lens, isInfinite, rng);
         });
     }
     EXPECT_GT(planned, test::scaled(1000));
+    EXPECT_GT(ofPlanes, test::scaled(1000));
 }
 
 TEST(HostConvention, TheTextureMatrixReadsWhereTheClipMatrixDraws)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "lixel/base/plane.h"
-#include "lixel/plan/fit/plane_optimal.h"
 #include "plan/receivers.h"
 
 #include <string>
@@ -64,23 +63,6 @@ inline std::vector<NamedPlane> anyPlanes(const RandomSetup& setup, Rng& rng, boo
     return planes;
 }
 
-// Whether a region's map is made for a receiver. That of a plane is made for those whose light rays meet it within the picture; others that
-// happen to lie in it are served as well, without a guard band.
-inline bool isMadeFor(const PlannedRegion& region, const ShadowPlan& plan, std::span<const NamedPlane> planes,
-                      const RandomSetup& setup, Vec3d pointLocal)
-{
-    if (region.plane < 0) return true;
-    const auto number = std::size_t(region.plane);
-    const Plane plane = plan.foundPlanes.empty()
-                            ? planeThrough(planes[number].pointWorld - setup.originWorld, planes[number].normalWorld)
-                            : plan.foundPlanes[number].planeLocal;
-    const auto frame =
-        planeOptimalFrame(setup.view, setup.light, setup.originWorld, plane, setup.sceneLocal().diagonal());
-    if (!frame) return true;
-    const Vec4d q = frame->framedFromLocal * point(pointLocal);
-    return q.x >= 0 && q.x <= setup.view.width * q.w && q.y >= 0 && q.y <= setup.view.height * q.w;
-}
-
 // As if some lights had been looked up at these samples, with shadows that end anywhere.
 inline Observation anyObservation(const RandomSetup& setup, const ViewSamples& samples, Rng& rng)
 {
@@ -93,6 +75,16 @@ inline Observation anyObservation(const RandomSetup& setup, const ViewSamples& s
         observed.atBoundary.push_back(rng.chance(0.3) ? std::uint32_t(rng.bits()) : 0);
     }
     return observed;
+}
+
+// Of a light and a scene that have nothing to do with those of now.
+inline RememberedMap anyMap(Rng& rng)
+{
+    RememberedMap map{{}, rng.integer(0, 4)};
+    for (int row = 0; row < 4; ++row)
+        map.lightClipFromLocal.setRow(row,
+                                      {rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)});
+    return map;
 }
 
 // What is asked of a setup: planes, and of view samples and of an observation what the technique needs or luck gives.
@@ -108,19 +100,18 @@ struct PlanedCase
         input.planes = planes;
         input.seen = rng.chance(0.7) || needsViewSamples(input.technique) ? &samples : nullptr;
         input.seenIsAll = input.seen && rng.chance(0.5);
-        const auto* partition = std::get_if<PlanesPartition>(&input.technique.partition);
-        if (!partition || !partition->names.empty()) return;
+        const auto first = firstPassOf(input.technique, input.lixels);
+        if (!first) return;
         observed = anyObservation(setup, samples, rng);
         if (rng.chance(0.6)) input.observed = &observed;
-        if (rng.chance(0.5)) {
-            const auto first = firstPassOf(input.technique, input.lixels);
-            input.lixelsSpent = std::int64_t(first->lixels.width) * first->lixels.height;
-        }
+        if (rng.chance(0.5)) input.lixelsSpent = std::int64_t(first->lixels.width) * first->lixels.height;
         if (rng.chance(0.5)) {
             const Plane plane = planeThrough(planes[0].pointWorld - setup.originWorld, planes[0].normalWorld);
-            before.push_back({{{plane, rng.chance(0.5)}}, {}});
-            input.before = before;
+            before = {{{{plane, rng.chance(0.5)}}, {anyMap(rng)}}};
+        } else if (rng.chance(0.5)) {
+            before = rememberedBy(planShadows(input));
         }
+        input.before = before;
     }
 };
 
@@ -135,5 +126,20 @@ inline constexpr const char* kPlaneTechniques[] = {"planes(a)",
                                                    "planes(c,d)+focused+else(focused)",
                                                    "planes(auto)",
                                                    "planes(auto,twist=line)+else(focused)+pcf(9)"};
+
+inline constexpr const char* kSceneTechniques[] = {"scene-optimal",
+                                                   "scene-optimal(metric=l2,search=paper)",
+                                                   "scene-optimal(metric=l2,slack=0,shear)",
+                                                   "scene-optimal(metric=lloyd,update=1,weight=0)+else(cube)",
+                                                   "scene-optimal(metric=area,keep=none)+else(lispsm)+pcf(9)",
+                                                   "pssm(3)+scene-optimal",
+                                                   "cube+scene-optimal(uncovered=lit)",
+                                                   "planes(a)+scene-optimal"};
+
+// Whether more is asked than a view, a light and boxes.
+inline bool wantsMore(const MapTechnique& technique)
+{
+    return std::holds_alternative<PlanesPartition>(technique.partition) || sceneOptimalOf(technique);
+}
 
 } // namespace lixel::test

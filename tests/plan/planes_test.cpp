@@ -60,8 +60,8 @@ TEST(Planes, ARayBelongsToThePlaneThatItMeetsFirst)
             const double a = meetingAt(setup, planes[0].planeLocal, p), b = meetingAt(setup, planes[1].planeLocal, p);
             if (std::min(a, b) == std::numeric_limits<double>::infinity() || !(std::abs(a - b) > 1e-6 * setup.radius))
                 continue;
-            EXPECT_EQ(isHeld((*cells)[0].ownLocal, p, 0), a < b);
-            EXPECT_EQ(isHeld((*cells)[1].ownLocal, p, 0), b < a);
+            EXPECT_EQ(isHeld((*cells)[0].servesLocal, p, 0), a < b);
+            EXPECT_EQ(isHeld((*cells)[1].servesLocal, p, 0), b < a);
             ++(a < b ? first : second);
         }
     });
@@ -93,7 +93,7 @@ TEST(Planes, APolygonHasTheRaysThroughIt)
             const bool isInside = least > 0 || most < 0;
             // Anywhere along the ray behind the light.
             const Vec3d q = p - rng.uniform(0, 1) * towardsLight(setup.light, setup.originWorld, p);
-            EXPECT_EQ(isHeld((*cells)[0].ownLocal, q, 0), isInside);
+            EXPECT_EQ(isHeld((*cells)[0].servesLocal, q, 0), isInside);
             ++(isInside ? inside : outside);
         }
     });

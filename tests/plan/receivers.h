@@ -58,6 +58,18 @@ inline ViewSamples anySamples(const RandomSetup& setup, Rng& rng)
 // As far as a narrow rectangle has room for the reach; less a tenth of a lixel for the rounding of a map as narrow as they get.
 inline double reachIn(int lixels, double reach) { return std::min(reach, 0.5 * lixels - 0.5) - 0.1; }
 
+// Whether a receiver lies with the lookup's whole reach inside its region's map, in the floats that executors have.
+inline void expectReachInside(const PlannedRegion& region, const LookupLayout& lookup,
+                              const shared::LxReceiver& receiver)
+{
+    const LixelRectangle& r = region.rectangle;
+    const auto x = float(reachIn(r.width(), lookup.reach)), y = float(reachIn(r.height(), lookup.reach));
+    EXPECT_GE(receiver.lixel.x, float(r.x0) + x);
+    EXPECT_LE(receiver.lixel.x, float(r.x1) - x);
+    EXPECT_GE(receiver.lixel.y, float(r.y0) + y);
+    EXPECT_LE(receiver.lixel.y, float(r.y1) - y);
+}
+
 inline shared::vec3 toShared(Vec3f a) { return {a.x, a.y, a.z}; }
 
 // The region that serves a sample, by the very functions that executors use; nothing where none does.

@@ -69,8 +69,8 @@ struct FitScratch
     OfScene scene;
     // View samples that face the light, those of them that no region serves yet, and those of a region.
     std::vector<Vec3d> seenLocal, seenNormal, seenUnservedLocal, seenInCellLocal;
-    std::vector<RayPolygon> rays, raysRoom; // those that no region serves yet
-    std::vector<Vec3d> pointsOfRays;        // what those rays were found from
+    std::vector<RayPolygon> rays, raysRoom;         // those that no region serves yet
+    std::vector<Vec3d> pointsOfRays, cornersOfRays; // what those rays were found from
     std::vector<NeedSample> need;
     BoundaryDirections boundaryDirections;
     std::vector<Vec3d> needLocal; // where they are
@@ -116,6 +116,8 @@ struct RememberedMap
     int framesKept = 0;
 };
 
+struct FramedBody; // light_frame.h
+
 struct FitInput
 {
     const View& view;
@@ -134,8 +136,7 @@ struct FitInput
     std::span<const NeedSample> edges = {}; // of this region, near shadow boundaries (scene_optimal.h)
     const RememberedMap* before = nullptr;  // what this region had in the last frame
     double mapAspect = 1;                   // lixels across the map over those along it, as far as that is known
-    std::span<const Vec3d> visibleLocal =
-        {}; // what findVisiblePoints() gives without a cell, where that is known already
+    const FramedBody* visible = nullptr;    // what visibleBody() gives without a cell, where that is known already
 };
 
 // Needs nothing of the map's size. lightClipFromLocal is in lixel's convention (clip_convention.h): receivers that matter

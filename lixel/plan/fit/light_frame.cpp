@@ -29,9 +29,6 @@ constexpr double kLeastPerRounding = 2e3 * 0x1p-24;
 // What all roundings on the way to a lixel come to: of the position, of the map's row, of their products, and of three sums.
 constexpr double kRoomPerRounding = 6 * 0x1p-24;
 
-// The part of a rectangle that receivers may stray by rounding: a tenth of a lixel, of 512. Beyond, the rectangle has room.
-constexpr double kUnroomed = 0.1 / 256;
-
 // Half the size of a map of lights at a point, at least: a line through the light is a point in its image, but for the rounding of
 // where the light is. The image of a scene a million of its radii away is a thousand times that.
 constexpr double kLeastTangent = 1e-9;
@@ -118,15 +115,14 @@ double withRoom(double half, double rounding)
     return std::max({half, kLeastPerRounding * rounding, (1 - kUnroomed) * half + kRoomPerRounding * rounding});
 }
 
-// Depths from the far side span this much at least, for the terms that they are made of.
-double leastDepthSpan(const LightFrame& frame, double farDepth, const Box& sceneLocal)
+// The terms that depths, counted from the far side, are made of.
+double termsOfDepth(const LightFrame& frame, double farDepth, const Box& sceneLocal)
 {
     const Vec4d depth = frame.framedFromLocal.row(2);
     const auto farthest = [](double low, double high) { return std::max(std::abs(low), std::abs(high)); };
-    return kLeastPerRounding *
-           (std::abs(depth.x) * farthest(sceneLocal.min.x, sceneLocal.max.x) +
-            std::abs(depth.y) * farthest(sceneLocal.min.y, sceneLocal.max.y) +
-            std::abs(depth.z) * farthest(sceneLocal.min.z, sceneLocal.max.z) + std::abs(farDepth - depth.w));
+    return std::abs(depth.x) * farthest(sceneLocal.min.x, sceneLocal.max.x) +
+           std::abs(depth.y) * farthest(sceneLocal.min.y, sceneLocal.max.y) +
+           std::abs(depth.z) * farthest(sceneLocal.min.z, sceneLocal.max.z) + std::abs(farDepth - depth.w);
 }
 
 // The nearest depth of all boxes that reach into the pyramid (prism) of the rectangle; one that only touches is included.
@@ -192,15 +188,15 @@ void keepCorners(const LightFrame& frame, std::span<const Vec3d> points, FitScra
     keepHull(points, scratch);
 }
 
-// Sides on both axes, and depth from the near side (see leastDepthSpan) to the far.
+// Sides on both axes, and depth from the near side to the far, with room for its rounding as sides have.
 Fit fitSides(const LightFrame& frame, const OrientedRectangle& rectangle, double nearDepth, double farDepth,
              const FitInput& input)
 {
     double near = std::min(nearDepth, farDepth);
     if (frame.isPerspective) near = std::max(near, kLeastNearPerFar * farDepth);
-    const double span = farDepth - near;
+    const double span = farDepth - near, terms = termsOfDepth(frame, farDepth, input.sceneLocal);
     const double roomOfDepth = std::max({1e-6 * span, 1e-9 * (std::abs(farDepth) + std::abs(near)),
-                                         leastDepthSpan(frame, farDepth, input.sceneLocal) - span, kLeastRoom});
+                                         kLeastPerRounding * terms - span, kRoomPerRounding * terms, kLeastRoom});
     near -= frame.isPerspective ? std::min(roomOfDepth, 0.5 * near) : roomOfDepth;
     const double far = farDepth + roomOfDepth;
 
@@ -345,6 +341,7 @@ Expected<FramedBody, FitFailure> frameAround(const FitInput& input, std::span<co
 Expected<FramedBody, FitFailure> visibleBody(const FitInput& input)
 {
     if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
+    if (input.cellLocal.empty() && input.visible) return *input.visible;
     findVisiblePoints(input, input.scratch.points);
     if (input.scratch.points.empty()) return Unexpected{FitFailure::NothingInView};
     return frameAround(input, input.scratch.points);

@@ -85,6 +85,9 @@ OrientedRectangle rectangleAround(const FramedBody& body, RectangleKind kind, Fi
 // The same with one side along a unit vector of the light plane.
 OrientedRectangle rectangleAround(const FramedBody& body, Vec2d axis, FitScratch& scratch);
 
+// The part of a rectangle that receivers may stray by rounding: a tenth of a lixel, of 512. Beyond, the rectangle has room.
+inline constexpr double kUnroomed = 0.1 / 256;
+
 // The rectangle with room for what floats of positions and of the map's rows may move the body's points by.
 OrientedRectangle resolved(OrientedRectangle rectangle, const FramedBody& body);
 

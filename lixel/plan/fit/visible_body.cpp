@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/fit/visible_body.h"
 
+#include "lixel/plan/fit/light_frame.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -177,8 +179,8 @@ void appendClippedBox(const Box& box, std::span<const Plane> planes, std::vector
 
 void findVisiblePoints(const FitInput& input, std::vector<Vec3d>& points)
 {
-    if (input.cellLocal.empty() && !input.visibleLocal.empty()) {
-        points.assign(input.visibleLocal.begin(), input.visibleLocal.end());
+    if (input.cellLocal.empty() && input.visible) {
+        points.assign(input.visible->points.begin(), input.visible->points.end());
         return;
     }
     BodyPlanes planes;

@@ -12,10 +12,8 @@ struct Cell
     // What is asked of a receiver by the tables, after all earlier cells have said no: the last cell of a list asks nothing, so
     // that rounding loses no one between two cells.
     CellPlanes servesLocal;
-    // Of cells that are sets of light rays: those that are its own. It serves a little more, so that rounding of those tests loses no one,
-    // not even where no other cell is beside it.
-    CellPlanes ownLocal = {};
-    // What its fit must hold: all that it serves, and a little more, for the rounding of those tests.
+    // What its fit must hold: all that it serves, and where cells part receivers rather than light rays a little more, for the
+    // rounding of those tests.
     CellPlanes holdsLocal;
     std::optional<PlaneOfCell> plane = {}; // of cells made for a plane
     int planeNumber = -1;                  // which of PlanInput::planes, or of those found, in their order

@@ -2,7 +2,6 @@
 #include "lixel/plan/partition/planes.h"
 
 #include "lixel/base/convex.h"
-#include "lixel/plan/fit/plane_optimal.h"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +10,6 @@
 
 namespace lixel {
 namespace {
-
-// Room for the rounding of float half-spaces, against how fast rays move on the picture: what a cell serves beside its own rays, a
-// fortieth of a pixel of a thousand, and what its fit holds.
-constexpr double kServedBeside = 2.5e-5, kHeldBeside = 1e-4;
 
 // Floats of points on a plane, and of the plane, round by this part of their terms, with room.
 constexpr double kOnPlane = 8 * 0x1p-24;
@@ -98,17 +93,6 @@ void addSides(const InterestPlane& plane, Vec4d light, CellPlanes& sides)
     }
 }
 
-// What a cell serves and holds beside its own rays; nothing where its plane has no image, and no map.
-void addRoom(Cell& cell, const LightFrame* frame, double sceneSize)
-{
-    const Vec4d w = frame ? frame->framedFromLocal.row(3) : Vec4d{};
-    const double size = frame ? std::max(length(xyz(w)), std::abs(w.w) / sceneSize) : 1;
-    for (const Plane& own : cell.ownLocal) {
-        cell.servesLocal.push_back(asPlane(asRow(own) + (kServedBeside / size) * w));
-        cell.holdsLocal.push_back(asPlane(asRow(own) + (kHeldBeside / size) * w));
-    }
-}
-
 } // namespace
 
 InterestPlane interestPlane(const NamedPlane& plane, Vec3d originWorld, int number, FitScratch::OnPlane& scratch)
@@ -145,7 +129,7 @@ CellsResult splitPlanes(const FitInput& input, std::span<const InterestPlane> pl
         Cell cell;
         cell.plane = PlaneOfCell{plane.planeLocal, twist, std::nullopt};
         cell.planeNumber = plane.number;
-        addSides(plane, light, cell.ownLocal);
+        addSides(plane, light, cell.servesLocal);
         const auto own = turned(plane.planeLocal, light);
         for (const InterestPlane& other : planes) {
             if (!own || &other == &plane || !plane.polygonLocal.empty() || !other.polygonLocal.empty()) continue;
@@ -154,19 +138,13 @@ CellsResult splitPlanes(const FitInput& input, std::span<const InterestPlane> pl
             if (!others || !meetIn(input.sceneLocal, plane.planeLocal, other.planeLocal)) continue;
             // Zero at the light and on the line; positive where a ray comes to this plane first.
             const Plane cut = asPlane(*others - *own);
-            cell.ownLocal.push_back(cut);
+            cell.servesLocal.push_back(cut);
             if (!cell.plane->throughLineLocal) cell.plane->throughLineLocal = cut;
         }
-        if (cell.plane->throughLineLocal == std::nullopt && !cell.ownLocal.empty())
-            cell.plane->throughLineLocal = cell.ownLocal[0];
-        const auto frame = planeOptimalFrame(input.view, input.light, input.originWorld, plane.planeLocal,
-                                             input.sceneLocal.diagonal());
-        addRoom(cell, frame ? &*frame : nullptr, input.sceneLocal.diagonal());
-        if (input.wantsWholePixels) {
-            const Plane front = notBehind(plane.planeLocal, light, input.sceneLocal);
-            cell.ownLocal.push_back(front);
-            cell.servesLocal.push_back(front);
-        }
+        if (cell.plane->throughLineLocal == std::nullopt && !cell.servesLocal.empty())
+            cell.plane->throughLineLocal = cell.servesLocal[0];
+        cell.holdsLocal = cell.servesLocal;
+        if (input.wantsWholePixels) cell.servesLocal.push_back(notBehind(plane.planeLocal, light, input.sceneLocal));
         cells.push_back(cell);
     }
     return cells;
