@@ -21,7 +21,8 @@ CellOfGrid cellOf(const Observation& observation, std::size_t sample)
 {
     const Vec2f pixel = observation.samples.pixel[sample];
     const auto along = [](float at, int cells, int pixels) {
-        return std::clamp(int(double(at) * cells / pixels), 0, cells - 1);
+        const double cell = double(at) * cells / pixels;
+        return cell > 0 ? int(std::min(cell, double(cells - 1))) : 0;
     };
     return {along(pixel.x, observation.grid.width, observation.samples.width),
             along(pixel.y, observation.grid.height, observation.samples.height)};

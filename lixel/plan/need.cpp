@@ -74,9 +74,8 @@ void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d origi
     };
     const std::uint32_t bit = std::uint32_t{1} << source.lightNumber;
     directions.observe(*observed, bit);
-    const auto isTaken = [&](std::size_t i) {
-        return !(sampling.skipsDepthJumps && cells.atDepthJump[i]) && isInView(i);
-    };
+    const bool skipsJumps = sampling.skipsDepthJumps && !cells.atDepthJump.empty();
+    const auto isTaken = [&](std::size_t i) { return !(skipsJumps && cells.atDepthJump[i]) && isInView(i); };
     const auto isAtBoundary = [&](std::size_t i) { return (observed->atBoundary[i] & bit) != 0; };
 
     takeEvenly(

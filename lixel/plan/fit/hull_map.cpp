@@ -11,6 +11,9 @@ namespace {
 // Beyond such ratios of w what is near the axis' horizon takes the whole map.
 constexpr double kLeastRelativeW = 1e-4;
 
+// A hull that is a line or a point has this much of room around it.
+constexpr double kLeastRelativeHalf = 1e-9;
+
 struct Extent
 {
     double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -51,7 +54,8 @@ HullMaps::Sides HullMaps::sides(std::size_t number) const
     Extent x, y;
     for (const Vec2d& p : image_) x.include(dot(out.along, p)), y.include(dot(across, p));
     out.centre = {x.middle(), y.middle()};
-    out.half = {x.half(), y.half()};
+    const double least = kLeastRelativeHalf * (std::abs(x.middle()) + std::abs(y.middle()) + x.half() + y.half());
+    out.half = {std::max(x.half(), least), std::max(y.half(), least)};
     return out;
 }
 

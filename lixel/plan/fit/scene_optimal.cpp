@@ -21,7 +21,8 @@ constexpr std::size_t kMostCorners = 40;
 std::optional<FramedBody> scaled(const FramedBody& body, FitScratch& scratch)
 {
     const OrientedRectangle box = rectangleAround(body, RectangleKind::Upright, scratch);
-    const double scale = 1 / std::max({box.halfSize.x, box.halfSize.y, 1e-300});
+    const double scale = 1 / std::max(box.halfSize.x, box.halfSize.y);
+    if (!std::isfinite(scale)) return std::nullopt;
     return warped(body, {{scale, 0, -scale * box.centre.x}, {0, scale, -scale * box.centre.y}, {0, 0, 1}});
 }
 
@@ -91,6 +92,15 @@ private:
         return fit;
     }
 
+    // Nothing where the rows are no map of the body.
+    std::optional<Fit> fittedIn(const PlaneWarp& rows) const
+    {
+        const auto framed = warped(body_, rows);
+        if (!framed) return std::nullopt;
+        const Fit fit = fitted(*framed, RectangleKind::Upright);
+        return isFinite(fit.lightClipFromLocal) ? std::optional(fit) : std::nullopt;
+    }
+
     Fit leastArea() const { return fitted(body_, RectangleKind::LeastArea); }
 
     std::optional<MapQuestion> question()
@@ -102,8 +112,8 @@ private:
 
     Fit fittedTo(const FoundMap& map) const
     {
-        const auto framed = std::isfinite(map.energy) ? warped(body_, map.map) : std::nullopt;
-        return framed ? fitted(*framed, RectangleKind::Upright) : leastArea();
+        if (!std::isfinite(map.energy)) return leastArea();
+        return fittedIn(map.map).value_or(leastArea());
     }
 
     Fit descended()
@@ -148,10 +158,8 @@ private:
     std::optional<Fit> keptFrom(const RememberedMap& before) const
     {
         const auto rows = planeWarpOf(body_.frame, before.lightClipFromLocal);
-        const auto framed = rows ? warped(body_, *rows) : std::nullopt;
-        if (!framed) return std::nullopt;
-        Fit fit = fitted(*framed, RectangleKind::Upright);
-        fit.framesKept = before.framesKept + 1;
+        auto fit = rows ? fittedIn(*rows) : std::nullopt;
+        if (fit) fit->framesKept = before.framesKept + 1;
         return fit;
     }
 
