@@ -129,6 +129,7 @@ LightPlanner::LightPlanner(const PlanInput& input, std::size_t number, const Box
     if (const SceneOptimalFit* fit = sceneOptimalOf(input.technique))
         gatherNeedSamples(source, light, input.originWorld, scratch.boundaryDirections, scratch.scene.edges,
                           {kMostEdges, kMostEdges, fit->awayFromBoundaries, true});
+    gatherShadows(source, light, input.originWorld, scratch.scene.shadowsLocal);
 }
 
 std::optional<FitFailure> LightPlanner::choose(ShadowPlan& out)
@@ -233,11 +234,14 @@ void LightPlanner::gatherEdgesIn(const CellPlanes& cell)
 {
     std::vector<NeedSample>&all = scratch_.scene.edges, &inside = scratch_.scene.edgesInCell;
     fitInput_.edges = all;
+    fitInput_.shadowsLocal = scratch_.scene.shadowsLocal;
     if (cell.empty()) return;
     inside.clear();
     std::copy_if(all.begin(), all.end(), std::back_inserter(inside),
                  [&](const NeedSample& sample) { return holdsPoint(cell, sample.pointLocal); });
     fitInput_.edges = inside;
+    gatherSeenIn(cell, scratch_.scene.shadowsLocal, scratch_.scene.shadowsInCell);
+    fitInput_.shadowsLocal = scratch_.scene.shadowsInCell;
 }
 
 // From here on only those view samples count that no region holds. Whether there may be any such receiver.

@@ -45,6 +45,43 @@ struct PlaneImage
     }
 };
 
+bool hasBitsOf(const NeedSource& source)
+{
+    return source.observed && !source.observed->atBoundary.empty() && source.lightNumber < kObservedLights;
+}
+
+// An observation's samples as this frame has them.
+class ObservedFrom
+{
+public:
+    ObservedFrom(const NeedSource& source, const Light& light, Vec3d originWorld)
+        : cells_(source.observed->samples),
+          light_(light),
+          originWorld_(originWorld),
+          toLocal_(cells_.originWorld - originWorld),
+          isOfEarlier_(source.observed->ageFrames > 0 && source.view)
+    {
+        if (isOfEarlier_) clip_ = clipFromLocal(*source.view, originWorld);
+    }
+
+    Vec3d at(std::size_t i) const { return toDouble(cells_.positionLocal[i]) + toLocal_; }
+    Vec3d normal(std::size_t i) const { return toDouble(cells_.normal[i]); }
+    bool isInView(std::size_t i) const
+    {
+        if (!isOfEarlier_) return true;
+        const Vec4d c = clip_ * point(at(i));
+        return c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w;
+    }
+    bool isFacing(std::size_t i) const { return isInView(i) && isLightFacing(light_, originWorld_, at(i), normal(i)); }
+
+private:
+    const ViewSamples& cells_;
+    const Light& light_;
+    Vec3d originWorld_, toLocal_;
+    bool isOfEarlier_;
+    Mat4d clip_;
+};
+
 } // namespace
 
 void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld, BoundaryDirections& directions,
@@ -52,45 +89,44 @@ void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d origi
 {
     samples.clear();
     const Observation* observed = source.observed;
-    if (!observed || observed->atBoundary.empty() || source.lightNumber >= kObservedLights) {
+    if (!hasBitsOf(source)) {
         const auto any = [](std::size_t) { return true; };
         const auto seen = [&](std::size_t i) { return NeedSample{source.seenLocal[i], source.seenNormal[i]}; };
         takeEvenly(source.seenLocal.size(), sampling.mostAtBoundaries + sampling.mostOthers, any, seen, samples);
         return;
     }
-    const ViewSamples& cells = observed->samples;
-    const Vec3d toLocal = cells.originWorld - originWorld;
-    const auto at = [&](std::size_t i) { return toDouble(cells.positionLocal[i]) + toLocal; };
-    const auto normal = [&](std::size_t i) { return toDouble(cells.normal[i]); };
-    const bool isOfEarlier = observed->ageFrames > 0 && source.view;
-    const Mat4d clip = isOfEarlier ? clipFromLocal(*source.view, originWorld) : Mat4d{};
-    const auto isInView = [&](std::size_t i) {
-        if (!isOfEarlier) return true;
-        const Vec4d c = clip * point(at(i));
-        return c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w;
-    };
-    const auto isFacing = [&](std::size_t i) {
-        return isInView(i) && isLightFacing(light, originWorld, at(i), normal(i));
-    };
+    const ObservedFrom cells{source, light, originWorld};
     const std::uint32_t bit = std::uint32_t{1} << source.lightNumber;
     directions.observe(*observed, bit);
-    const bool skipsJumps = sampling.skipsDepthJumps && !cells.atDepthJump.empty();
-    const auto isTaken = [&](std::size_t i) { return !(skipsJumps && cells.atDepthJump[i]) && isInView(i); };
+    const bool skipsJumps = sampling.skipsDepthJumps && !observed->samples.atDepthJump.empty();
+    const auto isTaken = [&](std::size_t i) {
+        return !(skipsJumps && observed->samples.atDepthJump[i]) && cells.isInView(i);
+    };
     const auto isAtBoundary = [&](std::size_t i) { return (observed->atBoundary[i] & bit) != 0; };
-
+    const auto sample = [&](std::size_t i, double part, Vec2d across) {
+        return NeedSample{cells.at(i), cells.normal(i), part * double(observed->samples.weightOf(i)), across};
+    };
     takeEvenly(
-        cells.size(), sampling.mostAtBoundaries, [&](std::size_t i) { return isAtBoundary(i) && isTaken(i); },
-        [&](std::size_t i) {
-            return NeedSample{at(i), normal(i), double(cells.weightOf(i)), directions.acrossAt(i)};
-        },
-        samples);
+        observed->samples.size(), sampling.mostAtBoundaries,
+        [&](std::size_t i) { return isAtBoundary(i) && isTaken(i); },
+        [&](std::size_t i) { return sample(i, 1, directions.acrossAt(i)); }, samples);
     if (!(sampling.awayFromBoundaries > 0)) return;
     takeEvenly(
-        cells.size(), sampling.mostOthers, [&](std::size_t i) { return !isAtBoundary(i) && isFacing(i); },
-        [&](std::size_t i) {
-            return NeedSample{at(i), normal(i), sampling.awayFromBoundaries * double(cells.weightOf(i)), {}};
-        },
-        samples);
+        observed->samples.size(), sampling.mostOthers,
+        [&](std::size_t i) { return !isAtBoundary(i) && cells.isFacing(i); },
+        [&](std::size_t i) { return sample(i, sampling.awayFromBoundaries, {}); }, samples);
+}
+
+void gatherShadows(const NeedSource& source, const Light& light, Vec3d originWorld, std::vector<Vec3d>& shadowsLocal)
+{
+    shadowsLocal.clear();
+    if (!hasBitsOf(source)) return;
+    const ObservedFrom cells{source, light, originWorld};
+    const std::uint32_t bit = std::uint32_t{1} << source.lightNumber;
+    for (std::size_t i = 0; i < source.observed->samples.size(); ++i) {
+        const bool isInShadow = !(source.observed->lit[i] & bit) || (source.observed->atBoundary[i] & bit);
+        if (isInShadow && cells.isFacing(i)) shadowsLocal.push_back(cells.at(i));
+    }
 }
 
 NeedPredictor::NeedPredictor(const View& view, Vec3d originWorld)

@@ -35,6 +35,9 @@ struct NeedSampling
 void gatherNeedSamples(const NeedSource& source, const Light& light, Vec3d originWorld, BoundaryDirections& directions,
                        std::vector<NeedSample>& samples, const NeedSampling& sampling = {});
 
+// Receivers that face the light and were observed in its shadow or near the edge of one. Empty without an observation.
+void gatherShadows(const NeedSource& source, const Light& light, Vec3d originWorld, std::vector<Vec3d>& shadowsLocal);
+
 // Sums, over samples, of how wide one step of a map's x and y is in the picture across the shadow's edge, the map having one lixel.
 // A lixel misplaces the edge by about half its width, so with width by height lixels errors go with
 // alongX / width + alongY / height.

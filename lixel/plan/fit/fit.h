@@ -65,6 +65,7 @@ struct FitScratch
         std::vector<Vec2d> image;
         std::vector<double> values;
         std::vector<NeedSample> edges, edgesInCell;
+        std::vector<Vec3d> shadowsLocal, shadowsInCell;
     };
     OfScene scene;
     // View samples that face the light, those of them that no region serves yet, and those of a region.
@@ -126,17 +127,18 @@ struct FitInput
     std::span<const Box> casterBoxesWorld;
     Box sceneLocal; // of all casters and receivers
     FitScratch& scratch;
-    CellPlanes cellLocal{};                 // receivers outside are not this region's; none: all of space
-    bool hasViewSamples = false;            // whether view samples were given at all ...
-    std::span<const Vec3d> seenLocal = {};  // ... and those of this region that face the light
-    bool isStable = false;                  // the map must not crawl as the camera moves
-    std::optional<PlaneOfCell> plane = {};  // of a region that is for a plane
-    bool wantsWholePixels = false;          // a lixel a pixel, where the fit can
-    bool seenIsAll = false;                 // the view samples are all receivers that will be asked
-    std::span<const NeedSample> edges = {}; // of this region, near shadow boundaries (scene_optimal.h)
-    const RememberedMap* before = nullptr;  // what this region had in the last frame
-    double mapAspect = 1;                   // lixels across the map over those along it, as far as that is known
-    const FramedBody* visible = nullptr;    // what visibleBody() gives without a cell, where that is known already
+    CellPlanes cellLocal{};                   // receivers outside are not this region's; none: all of space
+    bool hasViewSamples = false;              // whether view samples were given at all ...
+    std::span<const Vec3d> seenLocal = {};    // ... and those of this region that face the light
+    bool isStable = false;                    // the map must not crawl as the camera moves
+    std::optional<PlaneOfCell> plane = {};    // of a region that is for a plane
+    bool wantsWholePixels = false;            // a lixel a pixel, where the fit can
+    bool seenIsAll = false;                   // the view samples are all receivers that will be asked
+    std::span<const NeedSample> edges = {};   // of this region, near shadow boundaries (scene_optimal.h)
+    std::span<const Vec3d> shadowsLocal = {}; // receivers of this region that were observed in shadow or near its edge
+    const RememberedMap* before = nullptr;    // what this region had in the last frame
+    double mapAspect = 1;                     // lixels across the map over those along it, as far as that is known
+    const FramedBody* visible = nullptr;      // what visibleBody() gives without a cell, where that is known already
 };
 
 // Needs nothing of the map's size. lightClipFromLocal is in lixel's convention (clip_convention.h): receivers that matter

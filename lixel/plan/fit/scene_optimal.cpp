@@ -64,8 +64,9 @@ namespace {
 class SceneFit
 {
 public:
-    SceneFit(const FitInput& input, const SceneOptimalFit& choice, const FramedBody& body)
-        : input_(input), choice_(choice), scratch_(input.scratch.scene), body_(body)
+    // `isOfSome`: the body is not all that is seen.
+    SceneFit(const FitInput& input, const SceneOptimalFit& choice, const FramedBody& body, bool isOfSome)
+        : input_(input), choice_(choice), scratch_(input.scratch.scene), body_(body), isOfSome_(isOfSome)
     {
         scratch_.all.assign(input.view, input.originWorld, body.frame.framedFromLocal, input.edges);
     }
@@ -85,11 +86,27 @@ public:
 private:
     Fit fitted(const FramedBody& framed, RectangleKind kind) const
     {
-        Fit fit = fitTightly(framed, kind, input_);
-        const double room = input_.seenIsAll ? 1 : 1 / (1 + choice_.slack);
-        for (const int row : {0, 1}) fit.lightClipFromLocal.setRow(row, room * fit.lightClipFromLocal.row(row));
+        OrientedRectangle rectangle = rectangleAround(framed, kind, input_.scratch);
+        if (!input_.seenIsAll || isOfSome_) rectangle.halfSize = (1 + choice_.slack) * rectangle.halfSize;
+        Fit fit = fitRectangle(framed.frame, rectangle, farthestInside(framed, rectangle), input_);
         fit.isOfSamples = true;
         return fit;
+    }
+
+    // Of all receivers that the rectangle holds, whether it is made for them or not.
+    double farthestInside(const FramedBody& framed, const OrientedRectangle& rectangle) const
+    {
+        double farthest = farthestDepth(framed);
+        if (!isOfSome_) return farthest;
+        const Vec2d a = rectangle.axis, b{-a.y, a.x};
+        const Vec4d depth = framed.frame.framedFromLocal.row(2), w = framed.frame.framedFromLocal.row(3);
+        for (const Vec3d& p : input_.seenLocal) {
+            if (!(dot(w, point(p)) > 0)) continue;
+            const Vec2d from = onLightPlane(framed.frame, p) - rectangle.centre;
+            if (std::abs(dot(a, from)) <= rectangle.halfSize.x && std::abs(dot(b, from)) <= rectangle.halfSize.y)
+                farthest = std::max(farthest, dot(depth, point(p)));
+        }
+        return farthest;
     }
 
     // Nothing where the rows are no map of the body.
@@ -167,6 +184,7 @@ private:
     const SceneOptimalFit& choice_;
     FitScratch::OfScene& scratch_;
     FramedBody body_;
+    bool isOfSome_;
 };
 
 } // namespace
@@ -177,13 +195,15 @@ FitResult fitSceneOptimal(const FitInput& input, const SceneOptimalFit& choice)
     if (!input.hasViewSamples) return Unexpected{FitFailure::NoViewSamples};
     if (input.seenLocal.empty()) return Unexpected{FitFailure::NothingInView};
     FitScratch& scratch = input.scratch;
-    const auto found = frameAround(input, input.seenLocal);
+    const bool isOfSome = choice.extent == MapExtent::Shadows && !input.shadowsLocal.empty();
+    const std::span<const Vec3d> points = isOfSome ? input.shadowsLocal : input.seenLocal;
+    const auto found = frameAround(input, points);
     if (!found) return Unexpected{found.error()};
     // Corners stay where they are while other fits are tried.
     scratch.scene.bodyCorners.assign(found->corners.begin(), found->corners.end());
-    const FramedBody body{found->frame, input.seenLocal, scratch.scene.bodyCorners};
+    const FramedBody body{found->frame, points, scratch.scene.bodyCorners};
     const bool isScaled = choice.search == MapSearchKind::Wide || !body.frame.isPerspective;
-    return SceneFit(input, choice, isScaled ? scaled(body, scratch).value_or(body) : body).best();
+    return SceneFit(input, choice, isScaled ? scaled(body, scratch).value_or(body) : body, isOfSome).best();
 }
 
 } // namespace lixel

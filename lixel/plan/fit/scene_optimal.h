@@ -6,6 +6,12 @@
 
 namespace lixel {
 
+// What the map must hold.
+enum class MapExtent : std::uint8_t {
+    Seen,   // all receivers
+    Shadows // those in shadow and those near its edges, as they were observed: what was lit all around goes to else(...)
+};
+
 enum class MapSearchKind : std::uint8_t {
     Wide,   // all axes (searchWidely)
     Descent // the paper's Algorithm 1
@@ -16,6 +22,7 @@ struct SceneOptimalFit
 {
     LixelMetric metric = LixelMetric::Width;
     MapSearchKind search = MapSearchKind::Wide;
+    MapExtent extent = MapExtent::Shadows;
     int iterations = 3; // of the descent
     bool hasShear = false;
     double slack = 0.02;               // the rectangle is larger by this part, where only some receivers are known
