@@ -22,19 +22,23 @@
 namespace lixel::app {
 namespace {
 
-// What is compared. The paper's five come first and in its order; Plane is its one map for the floor, where samples that the
-// map does not cover are lit.
+// What is compared. The paper's five come first and in its order; Optimal and Plane are single maps, where samples that they do
+// not cover are lit.
 struct Method
 {
     const char* title;
     const char* technique;
 };
 constexpr std::array kMethods{
-    Method{"Optimal", "focused"},
+    Method{"Optimal", "scene-optimal(metric=l2,search=paper,uncovered=lit)"},
     Method{"Focused", "focused"},
     Method{"LiSPSM", "lispsm"},
     Method{"Plane", "planes(floor)+plane-optimal(uncovered=lit)"},
     Method{"Normal", "uniform"},
+    Method{"Best", "scene-optimal"},
+    Method{"L2, all axes", "scene-optimal(metric=l2)"},
+    Method{"Lloyd's m, all axes", "scene-optimal(metric=lloyd)"},
+    Method{"Area, all axes", "scene-optimal(metric=area)"},
     Method{"Plane else focused", "planes(floor)+plane-optimal"},
     Method{"Planes found", "planes(auto)+plane-optimal"},
     Method{"Minimal frustum", "minimal-frustum"},
