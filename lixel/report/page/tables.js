@@ -3,7 +3,8 @@
 // columns: [{label, title, value: row => number or string, text: (value, row) => string (or as it is), open: row => ...}]
 // A column whose values are strings is text. `open` makes a button of its cells.
 function sortableTable(caption, columns, rows, isTall = false) {
-  const isText = column => rows.some(row => typeof column.value(row) === "string");
+  const texts = new Set(columns.filter(column => rows.some(row => typeof column.value(row) === "string")));
+  const isText = column => texts.has(column);
   const body = element("tbody");
   const headings = columns.map(column => {
     const sort = () => sortBy(column);
