@@ -163,7 +163,8 @@ void addMap(const ShotContext& context, const FramePlan& plan, std::size_t light
             {nameOfPlane(region.plane, context, plan, light), region.rectangle.width(), region.rectangle.height()});
     for (const LeftOutPlane& left : plan.lights[light].leftOut)
         m.leftOut.push_back({nameOfPlane(left.plane, context, plan, light), std::string(nameOf(left.why))});
-    Density density = densityOf(context, plan.lights[light], light);
+    const std::size_t step = pictures.isWanted() ? 1 : context.options.footprintStep;
+    Density density = densityOf(context, plan.lights[light], light, 0, step);
     if (pictures.isWanted())
         m.pictures.density = pictures.write(densityPicture(density.lixelsPerPixel), lightName + "-density");
     m.footprintPixelsPerLixel = percentiles(std::move(density.pixelsPerLixel));
@@ -240,7 +241,7 @@ std::vector<ResultRow> rowsOfAll(const ShotContext& context, std::span<const std
 {
     const PlanSubject subject{context.stage, context.view, context.shot.lights, context.shooting.planes,
                               context.samples};
-    const auto plan = planFor(choice, subject, context.options.lixels, *executors.front());
+    const auto plan = planFor(choice, subject, context.options.lixels, *executors.front(), context.options.memory);
     std::vector<ResultRow> rows;
     std::vector<std::vector<Visibility>> visibility;
     for (const auto& executor : executors) {

@@ -22,6 +22,8 @@ struct ComparisonOptions
     std::vector<TechniqueChoice> techniques;
     LixelBudget lixels;
     int timingFrames = 5;           // 0: no times
+    std::size_t footprintStep = 1;  // footprints are of one sample in so many; with pictures of all
+    PlanMemory memory = {};         // what plans know of the frame before
     std::filesystem::path pictures; // folder for PNGs; empty: none
 };
 

@@ -7,16 +7,21 @@ namespace lixel::app {
 
 std::span<const Experiment> experiments()
 {
-    static const std::array<Experiment, 2> kAll{{
+    static const std::array<Experiment, 3> kAll{{
         {"normal-against-focused",
          "H. Chong, S. Gortler. Scene Optimized Shadow Mapping. 2007, Table 1 (columns Focused and Normal)",
-         "How many more samples does a map of the whole scene get wrong than one focused on the view?",
+         "How many more samples does a map of the whole scene get wrong than one focused on the view?", "gl", true,
          reproduceNormalAgainstFocused},
         {"lixel-fig7",
          "H. Chong, S. Gortler. A Lixel for every Pixel. Eurographics Symposium on Rendering 2004, section 4 and "
          "Figure 7",
          "What do maps for planes of interest show, with as many lixels, where conventional and perspective maps fail?",
-         reproduceLixelFig7},
+         "gl", false, reproduceLixelFig7},
+        {"scene-optimised-table1",
+         "H. Chong, S. Gortler. Scene Optimized Shadow Mapping. 2007, section 3, Table 1 and "
+         "Figures 2 and 4",
+         "How many samples does each way to choose the light's matrix get wrong, over lights from everywhere above?",
+         "trace", true, reproduceSceneOptimisedTable1},
     }};
     return kAll;
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -14,7 +15,10 @@ struct ExperimentOptions
 {
     bool isQuick = false;
     std::uint64_t seed = 2007;
-    std::string executor = "gl";
+    std::string executor; // "gl" or "trace"
+    // In place of the experiment's own; only for those with many lights in one view.
+    std::optional<int> lights;
+    std::optional<std::string> size, lixels;
     std::filesystem::path pictures; // folder for PNGs; empty: none
 };
 
@@ -22,6 +26,8 @@ struct ExperimentOptions
 struct Experiment
 {
     std::string name, paper, question;
+    const char* executor;    // where nothing else is asked for
+    bool isOfLights = false; // many of them in one view
     Reproduction (*run)(const ExperimentOptions& options);
 };
 
@@ -30,5 +36,6 @@ std::span<const Experiment> experiments();
 // Their runs, one file each.
 Reproduction reproduceNormalAgainstFocused(const ExperimentOptions& options);
 Reproduction reproduceLixelFig7(const ExperimentOptions& options);
+Reproduction reproduceSceneOptimisedTable1(const ExperimentOptions& options);
 
 } // namespace lixel::app

@@ -19,6 +19,8 @@
 namespace lixel::app {
 namespace {
 
+constexpr int kMostLights = 100'000;
+
 struct ReproduceOptions
 {
     std::string name, json, output;
@@ -31,10 +33,40 @@ void printList()
         fmt::print("{}\n  {}\n  {}\n", experiment.name, experiment.question, experiment.paper);
 }
 
+// "3774.1 (3772.1)" in the first column, "+27.7 (+27.7)" in others: ours, the paper's in parentheses.
+std::string cellText(const ReproducedTable::Row& row, std::size_t column)
+{
+    const auto text = [&](std::optional<double> value) {
+        return !value ? "" : column == 0 ? fmt::format("{:.1f}", *value) : fmt::format("{:+.1f}", *value);
+    };
+    const ReproducedTable::Cell& cell = row.cells[column];
+    const std::string ours = text(column == 0 ? cell.ours : percentMore(row, column));
+    const std::string papers = text(column == 0 ? cell.papers : papersPercentMore(row, column));
+    return papers.empty() ? ours : fmt::format("{} ({})", ours, papers);
+}
+
+// Methods below each other, which are many; of the rows those that the paper has. The report has all.
+void printTable(const ReproducedTable& table, std::FILE* to)
+{
+    std::vector<const ReproducedTable::Row*> shown;
+    for (const auto& row : table.rows)
+        if (row.cells.front().papers) shown.push_back(&row);
+    fmt::print(to, "{}: {}, then percent more than {} (the paper's, {})\n", table.title, table.unit,
+               table.columns.front().title, table.source);
+    fmt::print(to, "{:<24}", "");
+    for (const auto* row : shown) fmt::print(to, " {:>20}", row->title);
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+        fmt::print(to, "\n{:<24}", table.columns[column].title);
+        for (const auto* row : shown) fmt::print(to, " {:>20}", cellText(*row, column));
+    }
+    fmt::print(to, "\n");
+}
+
 void printNumbers(const Reproduction& reproduction, std::FILE* to)
 {
     fmt::print(to, "{}: {}\n{}\n", reproduction.name, reproduction.question, reproduction.paper);
     for (const auto& [name, value] : reproduction.parameters) fmt::print(to, "  {} = {}\n", name, value);
+    for (const ReproducedTable& table : reproduction.tables) printTable(table, to);
     fmt::print(to, "{:<58} {:>12} {:>12}  {}\n", "", "ours", "paper", "");
     for (const auto* numbers : {&reproduction.numbers, &reproduction.timingNumbers})
         for (const ReproducedNumber& n : *numbers)
@@ -52,6 +84,11 @@ int runReproduce(const ReproduceOptions& options, const std::string& commandLine
         if (experiment.name != options.name) continue;
         if (options.output == "-") throw UsageError("reproduce -o -: expected the name of a folder");
         ExperimentOptions asked = options.experiment;
+        if (!experiment.isOfLights && (asked.lights || asked.size || asked.lixels))
+            throw UsageError(fmt::format(
+                "reproduce {}: --lights, --size and --lixels are for experiments with many lights in one view",
+                experiment.name));
+        if (asked.executor.empty()) asked.executor = experiment.executor;
         asked.pictures = options.output;
         std::optional<ReportFolder> report;
         if (!options.output.empty()) report.emplace(options.output, true);
@@ -90,9 +127,14 @@ Command addReproduce(CLI::App& parent, const std::string& commandLine)
     app->add_option("NAME", o->name, "which");
     app->add_flag("--quick", o->experiment.isQuick, "fewer cases, the same question");
     app->add_option("--seed", o->experiment.seed, "of everything random")->check(wholeNumber())->capture_default_str();
-    app->add_option("--executor", o->experiment.executor, "gl or trace")
-        ->check(CLI::IsMember({"gl", "trace"}))
-        ->capture_default_str();
+    app->add_option("--executor", o->experiment.executor, "gl or trace; by default what the experiment is made for")
+        ->check(CLI::IsMember({"gl", "trace"}));
+    app->add_option("--lights", o->experiment.lights, "how many, where an experiment has many")
+        ->check(CLI::Range(1, kMostLights));
+    app->add_option("--size", o->experiment.size,
+                    "of the picture, WIDTHxHEIGHT pixels, where an experiment has many lights");
+    app->add_option("--lixels", o->experiment.lixels,
+                    "budget of each light, WIDTHxHEIGHT, where an experiment has many");
     app->add_option("-o,--output", o->output, "folder for results.json, report.html and the pictures of figures");
     app->add_option("--json", o->json, "numbers and rows as JSON to this file, or - for standard output");
     return {app, [o, commandLine] { return runReproduce(*o, commandLine); }};

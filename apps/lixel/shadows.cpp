@@ -73,7 +73,7 @@ std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubjec
     input.given = choice.given;
     const auto first = firstPassOf(*map, lixels.total);
     input.before = memory.before;
-    if (first && memory.observed) input.observed = &*memory.observed;
+    if (memory.observed) input.observed = &*memory.observed;
     if (!first || memory.observed) return planShadows(input);
 
     PlanInput firstInput = input;

@@ -60,4 +60,24 @@ Image<Rgba8> densityPicture(const Image<float>& lixelsPerPixel)
     });
 }
 
+Image<Rgba8> boundaryPicture(const Observation& observed, std::size_t light)
+{
+    const ViewSamples& samples = observed.samples;
+    Image<Rgba8> picture(samples.width, samples.height, kTransparent);
+    if (light >= kObservedLights || observed.atBoundary.empty()) return picture;
+
+    // Two thirds of a cell, so that neighbours stay apart.
+    const double cell =
+        std::min(double(samples.width) / observed.grid.width, double(samples.height) / observed.grid.height);
+    const int side = std::max(1, int(std::lround(cell * 2 / 3)));
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (!(observed.atBoundary[i] >> light & 1u) || samples.atDepthJump[i]) continue;
+        const int left = int(samples.pixel[i].x) - side / 2, bottom = int(samples.pixel[i].y) - side / 2;
+        for (int y = bottom; y < bottom + side; ++y)
+            for (int x = left; x < left + side; ++x)
+                if (picture.contains(x, y)) picture(x, y) = kBoundaryColour;
+    }
+    return picture;
+}
+
 } // namespace lixel

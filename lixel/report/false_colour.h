@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lixel/base/image.h"
+#include "lixel/base/observation.h"
 #include "lixel/base/surfaces.h"
 #include "lixel/judge/score.h"
 
@@ -21,5 +22,10 @@ Image<Rgba8> errorPicture(const Image<Verdict>& verdicts);
 
 // Transparent where the value is NaN: no surface, or no lixel serves it.
 Image<Rgba8> densityPicture(const Image<float>& lixelsPerPixel);
+
+// The observed samples near shadow boundaries of a light, those at depth jumps left out, as a square in each one's cell;
+// transparent elsewhere. Figure 2 of H. Chong, S. Gortler, Scene Optimized Shadow Mapping, 2007, over the shaded picture.
+inline constexpr Rgba8 kBoundaryColour{255, 0, 200, 255};
+Image<Rgba8> boundaryPicture(const Observation& observed, std::size_t light);
 
 } // namespace lixel

@@ -45,9 +45,9 @@ std::string coloursJson()
     std::string density;
     for (int i = -kDensityOctaves * kSteps; i <= kDensityOctaves * kSteps; ++i)
         density += (density.empty() ? "" : ",") + cssColour(densityColour(std::exp2(double(i) / kSteps)));
-    return fmt::format(R"({{"false_shadow":{},"false_lit":{},"density_octaves":{},"density":[{}]}})",
+    return fmt::format(R"({{"false_shadow":{},"false_lit":{},"boundary":{},"density_octaves":{},"density":[{}]}})",
                        cssColour(verdictColour(Verdict::FalseShadow)), cssColour(verdictColour(Verdict::FalseLit)),
-                       kDensityOctaves, density);
+                       cssColour(kBoundaryColour), kDensityOctaves, density);
 }
 
 // The pixels that differ from `base`, the others transparent; the picture again is `base` with this over it.
@@ -88,6 +88,7 @@ public:
         if (!pictures.shaded.empty()) writeShaded(row, of, folder_ / pictures.shaded);
         if (!pictures.error.empty()) writeElement(idOf(row, "error"), "", bytesOf(folder_ / pictures.error));
         if (!pictures.density.empty()) writeElement(idOf(row, "density"), "", bytesOf(folder_ / pictures.density));
+        if (!pictures.boundary.empty()) writeElement(idOf(row, "boundary"), "", bytesOf(folder_ / pictures.boundary));
     }
 
 private:

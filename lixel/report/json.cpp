@@ -64,6 +64,7 @@ Json pictures(const PictureFiles& files)
     if (!files.shaded.empty()) json["shaded"] = files.shaded;
     if (!files.error.empty()) json["error"] = files.error;
     if (!files.density.empty()) json["density"] = files.density;
+    if (!files.boundary.empty()) json["boundary"] = files.boundary;
     return json;
 }
 

@@ -22,6 +22,52 @@ Json toJson(const std::vector<ReproducedNumber>& numbers)
     return all;
 }
 
+Json orNull(std::optional<double> value) { return value ? Json(*value) : Json(nullptr); }
+
+// By how much a value is more than another; not of nothing.
+std::optional<double> percentMoreThan(double base, double value)
+{
+    return base > 0 ? std::optional(100 * (value / base - 1)) : std::nullopt;
+}
+
+Json toJson(const ReproducedTable::Row& row)
+{
+    Json cells = Json::array();
+    for (std::size_t i = 0; i < row.cells.size(); ++i)
+        cells.push_back({{"ours", row.cells[i].ours},
+                         {"percent_more", orNull(percentMore(row, i))},
+                         {"papers", orNull(row.cells[i].papers)},
+                         {"papers_percent_more", orNull(papersPercentMore(row, i))}});
+    return {{"title", row.title}, {"cells", cells}};
+}
+
+Json toJson(const std::vector<ReproducedTable>& tables)
+{
+    Json all = Json::array();
+    for (const ReproducedTable& table : tables) {
+        Json columns = Json::array(), rows = Json::array();
+        for (const auto& column : table.columns)
+            columns.push_back({{"title", column.title}, {"technique", column.technique}});
+        for (const auto& row : table.rows) rows.push_back(toJson(row));
+        all.push_back({{"title", table.title},
+                       {"unit", table.unit},
+                       {"source", table.source},
+                       {"columns", columns},
+                       {"rows", rows}});
+    }
+    return all;
+}
+
+const char* nameOf(PictureLayer layer)
+{
+    switch (layer) {
+    case PictureLayer::Error: return "error";
+    case PictureLayer::Boundary: return "boundary";
+    case PictureLayer::None: break;
+    }
+    return "none";
+}
+
 Json toJson(const std::vector<PictureRow>& figures)
 {
     Json all = Json::array();
@@ -31,11 +77,23 @@ Json toJson(const std::vector<PictureRow>& figures)
                        {"view", f.view},
                        {"light", f.light},
                        {"techniques", f.techniques},
+                       {"layer", nameOf(f.layer)},
                        {"enlarged", {{"left", f.left}, {"top", f.top}, {"side", f.side}}}});
     return all;
 }
 
 } // namespace
+
+std::optional<double> percentMore(const ReproducedTable::Row& row, std::size_t column)
+{
+    return percentMoreThan(row.cells.front().ours, row.cells[column].ours);
+}
+
+std::optional<double> papersPercentMore(const ReproducedTable::Row& row, std::size_t column)
+{
+    const std::optional<double> base = row.cells.front().papers, of = row.cells[column].papers;
+    return base && of ? percentMoreThan(*base, *of) : std::nullopt;
+}
 
 std::string toJson(const Reproduction& reproduction)
 {
@@ -48,6 +106,7 @@ std::string toJson(const Reproduction& reproduction)
                            {"quick", reproduction.isQuick},
                            {"parameters", parameters},
                            {"numbers", toJson(reproduction.numbers)},
+                           {"tables", toJson(reproduction.tables)},
                            {"figures", toJson(reproduction.figures)},
                            {"timing", {{"numbers", toJson(reproduction.timingNumbers)}}}};
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -20,6 +20,35 @@ struct ReproducedNumber
     std::string source;           // where in the paper
 };
 
+// A table of a paper, methods in its columns. Of every cell there is also how much more it is than the row's first, in percent.
+struct ReproducedTable
+{
+    struct Column
+    {
+        std::string title, technique; // as the paper calls it; as it was typed
+    };
+    struct Cell
+    {
+        double ours = 0;
+        std::optional<double> papers; // no value where the paper gives none
+    };
+    struct Row
+    {
+        std::string title;
+        std::vector<Cell> cells; // one a column
+    };
+    std::string title, unit, source; // the unit is that of all cells; where in the paper
+    std::vector<Column> columns;
+    std::vector<Row> rows;
+};
+
+// Percent by which a cell is more than the first of its row; of ours, or of the paper's where it has both.
+std::optional<double> percentMore(const ReproducedTable::Row& row, std::size_t column);
+std::optional<double> papersPercentMore(const ReproducedTable::Row& row, std::size_t column);
+
+// What is laid over a row's shaded picture.
+enum class PictureLayer { None, Error, Boundary };
+
 // Pictures beside each other, whole and enlarged, as papers show them.
 struct PictureRow
 {
@@ -27,6 +56,7 @@ struct PictureRow
     std::string scene, view, light;      // of the rows
     std::vector<std::string> techniques; // of the rows, as they were typed; from left to right
     int left = 0, top = 0, side = 0;     // the square that is enlarged, pixels from the picture's upper left
+    PictureLayer layer = PictureLayer::None;
 };
 
 // One experiment of a paper, run again.
@@ -37,8 +67,9 @@ struct Reproduction
     std::vector<std::pair<std::string, std::string>> parameters;
     std::vector<ReproducedNumber> numbers;
     std::vector<ReproducedNumber> timingNumbers; // those that depend on the clock and the machine
-    std::vector<PictureRow> figures;             // of rows with pictures
-    RunResults run;                              // what the numbers were made from
+    std::vector<ReproducedTable> tables;
+    std::vector<PictureRow> figures; // of rows with pictures
+    RunResults run;                  // what the numbers were made from
 };
 
 // JSON as toJson(RunResults) writes it, with `reproduction` beside `results`.

@@ -73,6 +73,7 @@ TEST(Lists, ExperimentsAreListedWithTheirPapers)
 {
     const std::string list = printed({"reproduce"});
     EXPECT_TRUE(holds(list, "normal-against-focused"));
+    EXPECT_TRUE(holds(list, "scene-optimised-table1"));
     EXPECT_TRUE(holds(list, "lixel-fig7"));
     EXPECT_TRUE(holds(list, "Chong"));
 }

@@ -70,5 +70,36 @@ TEST(ErrorPicture, ShowsOnlyWhatIsWrong)
     EXPECT_GT(picture(3, 0).b, picture(3, 0).r + 100);
 }
 
+// Cells 4 x 4 pixels: a square in each marked cell that is at no depth jump, of that light alone, and none beyond the picture.
+TEST(BoundaryPicture, MarksTheCellsThatTheEnergyIsMadeFrom)
+{
+    forEachCase(200, [](Rng& rng) {
+        constexpr int kCells = 8, kSize = 32;
+        Observation observed;
+        observed.grid = {kCells, kCells};
+        observed.samples.width = observed.samples.height = kSize;
+        const auto light = std::size_t(rng.integer(0, 31));
+        Image<int> isMarked(kCells, kCells, 0);
+        for (int y = 0; y < kCells; ++y)
+            for (int x = 0; x < kCells; ++x) {
+                if (rng.chance(0.2)) continue; // the sky
+                observed.samples.pixel.push_back({4 * float(x) + 2.5f, 4 * float(y) + 2.5f});
+                observed.samples.positionLocal.push_back({0, 0, 0});
+                observed.samples.atDepthJump.push_back(std::uint8_t(rng.chance(0.3)));
+                observed.atBoundary.push_back(std::uint32_t(rng.bits()));
+                isMarked(x, y) = !observed.samples.atDepthJump.back() && (observed.atBoundary.back() >> light & 1u);
+            }
+        const Image<Rgba8> picture = boundaryPicture(observed, light);
+        Image<int> pixels(kCells, kCells, 0);
+        for (int y = 0; y < kSize; ++y)
+            for (int x = 0; x < kSize; ++x)
+                if (picture(x, y).a != 0) ++pixels(x / 4, y / 4);
+        for (std::size_t i = 0; i < pixels.data().size(); ++i) ASSERT_EQ(pixels.data()[i], isMarked.data()[i] ? 9 : 0);
+        observed.atBoundary.clear();
+        const Image<Rgba8> unmarked = boundaryPicture(observed, light);
+        for (const Rgba8 pixel : unmarked.data()) ASSERT_EQ(pixel.a, 0);
+    });
+}
+
 } // namespace
 } // namespace lixel::test

@@ -154,6 +154,20 @@ TEST(ResultsJson, AnExperimentsNumbersOfTheClockStandInItsTiming)
     EXPECT_EQ(json.at("timing").at("numbers")[0].at("ours"), 290);
 }
 
+// A row's first cell is what the others are more than; nothing is more than none.
+TEST(ResultsJson, ATablesPercentagesAreThoseOfItsCells)
+{
+    const Json table = Json::parse(toJson(sampleReproduction({}, 32))).at("reproduction").at("tables").at(0);
+    const Json& cells = table.at("rows")[0].at("cells");
+    ASSERT_EQ(cells.size(), table.at("columns").size());
+    EXPECT_EQ(cells[0].at("percent_more"), 0);
+    EXPECT_EQ(cells[1].at("percent_more"), 150);
+    EXPECT_EQ(cells[1].at("papers_percent_more"), 150);
+    EXPECT_EQ(cells[2].at("percent_more"), -25);
+    EXPECT_TRUE(cells[2].at("papers_percent_more").is_null());
+    EXPECT_TRUE(table.at("rows")[1].at("cells")[1].at("percent_more").is_null());
+}
+
 TEST(ResultsJson, AStudysPercentagesAreThoseOfItsCounts)
 {
     const Json json = Json::parse(toJson(samplePlaneBudget({}, 32)));

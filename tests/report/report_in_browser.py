@@ -293,6 +293,12 @@ def experiment_shows(page):
     missing = page.run("return [...run.reproduction.numbers, ...run.reproduction.timing.numbers]"
                        ".map(number => number.key).filter(key => !arguments[0].includes(key))", told)
     check(missing == [], f"each number is shown: {missing}")
+    tables = page.run("return [...document.querySelectorAll('#reproduced-tables tbody tr')].map(row => row.innerText)")
+    check(len(tables) == page.run("return run.reproduction.tables.reduce((n, table) => n + table.rows.length, 0)"),
+          f"each row of the tables is shown: {tables}")
+    if tables:
+        check(re.search(r"2.000 \(1.600\)\s\+150\.0.% \(\+150\.0.%\)\s\u221225\.0.%$", tables[0]),
+              f"percent more than the first, the paper's beside ours: {tables[0]}")
     page.wait_for("the figures are drawn", PIXELS + "const all = [...document.querySelectorAll('.panel canvas')];"
                   " return all.length === 2 * run.reproduction.figures.reduce((n, f) => n + f.techniques.length, 0)"
                   " && all.every(canvas => pixels(canvas)[3] === 255)")
@@ -303,6 +309,12 @@ def experiment_shows(page):
                     "const shown = pixels(document.querySelector('.panel .enlarged'));"
                     "return [0, 1, 2].every(c => shown[c] === data[4 * (at.top * whole.width + at.left) + c]); })()")
     check(same, "what is enlarged is that part of the picture")
+    marked = page.run("return [...document.querySelectorAll('.figure')].map(figure => { const canvas ="
+                      " figure.querySelector('canvas'), data = canvas.getContext('2d')"
+                      ".getImageData(0, 0, canvas.width, canvas.height).data; let count = 0;"
+                      " for (let i = 0; i < data.length; i += 4)"
+                      "   count += data[i] === 255 && data[i + 1] === 0 && data[i + 2] === 200; return count; })")
+    check(marked[0] == 0 < marked[1], f"a figure of boundaries has them marked: {marked}")
     page.click(".figure:nth-of-type(2) button")
     shown = page.run("return document.getElementById('tag-right').textContent")
     check(shown.endswith("exact · gl"), f"a figure's pictures can be compared: {shown}")

@@ -115,7 +115,7 @@ Temporal anyFlips(const Measurement& of)
 
 PictureFiles writePictures(const fs::path& folder, const std::string& name, const SampleScene& scene)
 {
-    const PictureFiles files{name + ".png", name + "-error.png", name + "-density.png"};
+    const PictureFiles files{name + ".png", name + "-error.png", name + "-density.png", ""};
     writePng(folder / files.shaded, scene.shaded);
     writePng(folder / files.error, errorPicture(scene.verdicts));
     writePng(folder / files.density, densityPicture(scene.density));
@@ -209,15 +209,43 @@ RunResults samplePath(const fs::path& folder, int size)
 }
 RunResults samplePath() { return samplePath({}, 32); }
 
+namespace {
+
+// Samples along the picture's diagonal.
+Observation anyObservation(int size)
+{
+    Observation observed;
+    observed.grid = {8, 8};
+    observed.samples.width = observed.samples.height = size;
+    for (int cell = 0; cell < 8; ++cell) {
+        const float at = (float(cell) + 0.5f) * float(size) / 8;
+        observed.samples.pixel.push_back({at, at});
+        observed.samples.positionLocal.push_back({at, at, 0});
+        observed.samples.normal.push_back({0, 0, 1});
+    }
+    observed.samples.atDepthJump.assign(8, 0);
+    observed.lit.assign(8, 0);
+    observed.atBoundary.assign(8, 1);
+    return observed;
+}
+
+} // namespace
+
 Reproduction sampleReproduction(const fs::path& folder, int size)
 {
     Reproduction out{
-        "shadows-of-discs", "A. Author. A Paper. 2004, Table 1", "Which is better?", true, {}, {}, {}, {}, {}};
+        "shadows-of-discs", "A. Author. A Paper. 2004, Table 1", "Which is better?", true, {}, {}, {}, {}, {}, {}};
     out.run = makeRun(folder, size);
     out.parameters = {{"size", std::to_string(size)}, {"view", "front"}};
     out.numbers = {{"uniform over focused", "ratio", 2.5, 2.25, "Table 1"},
                    {"focused, mean", "percent", 0.125, std::nullopt, "no numbers"}};
     out.timingNumbers = {{"focused", "frames a second", 290, 30, "section 4"}};
+    out.tables = {{"Errors by method",
+                   "misclassified pixels a picture",
+                   "Table 1",
+                   {{"Focused", "focused"}, {"Normal", "uniform"}, {"Light space", "lispsm"}},
+                   {{"using all data", {{2000, 1600}, {5000, 4000}, {1500, std::nullopt}}},
+                    {"worst 10 % by Normal", {{0, std::nullopt}, {7000, std::nullopt}, {4000, std::nullopt}}}}}};
     for (const char* view : {"front", "low camera"})
         out.figures.push_back({std::string("from the ") + view,
                                "bunnies",
@@ -226,7 +254,14 @@ Reproduction sampleReproduction(const fs::path& folder, int size)
                                {"uniform", "focused", "exact"},
                                size / 4,
                                size / 2,
-                               size / 8});
+                               size / 8,
+                               PictureLayer::None});
+    out.figures.back().layer = PictureLayer::Boundary;
+    if (folder.empty()) return out;
+    const char* const boundary = "boundary.png";
+    writePng(folder / boundary, boundaryPicture(anyObservation(size), 0));
+    for (ResultRow& row : out.run.rows)
+        if (auto* measured = std::get_if<Measurement>(&row.outcome)) measured->pictures.boundary = boundary;
     return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "comparison.h"
 #include "experiment.h"
+#include "experiments/enlarged_square.h"
 #include "experiments/lixel_fig7_numbers.h"
 #include "lixel/report/png.h"
 #include "lixel/scene/framing.h"
@@ -56,7 +57,6 @@ struct Sizes
 constexpr Sizes kPaperSizes{60, "1024x1024", "512x512", "350x350,350x350,128x128"};
 constexpr Sizes kQuickSizes{8, "256x256", "128x128", "87x87,87x87,32x32"};
 
-constexpr double kEnlargedShare = 0.2; // of the picture's side
 constexpr int kTimingFrames = 3;
 
 struct Moment
@@ -89,28 +89,6 @@ std::vector<Moment> momentsOf(const Scenery& scenery, int frames)
 }
 
 std::string text(Vec3d p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
-
-// Where the conventional map gets most of what is on planes of interest wrong: there the paper's figure is looked at.
-void enlargeWhereMostIsWrong(const Image<Rgba8>& errors, const ViewSamples& samples, const Truth& truth,
-                             PictureRow& figure)
-{
-    figure.side = std::max(1, int(kEnlargedShare * std::min(errors.width(), errors.height())));
-    const int step = std::max(1, figure.side / 4);
-    const int columns = errors.width() / step + 1, rows = errors.height() / step + 1;
-    Image<int> wrong(columns, rows, 0); // from each place for a square, a step apart
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        const int x = int(samples.pixel[i].x), y = errors.height() - 1 - int(samples.pixel[i].y); // from the top
-        if (truth.plane[i] == kOnNoPlane || errors(x, errors.height() - 1 - y).a == 0) continue;
-        for (int row = y < figure.side ? 0 : (y - figure.side) / step + 1; row * step <= y; ++row)
-            for (int column = x < figure.side ? 0 : (x - figure.side) / step + 1; column * step <= x; ++column)
-                ++wrong(column, row);
-    }
-    int most = -1;
-    for (int row = 0; row * step + figure.side <= errors.height(); ++row)
-        for (int column = 0; column * step + figure.side <= errors.width(); ++column)
-            if (wrong(column, row) > most)
-                most = wrong(column, row), figure.left = column * step, figure.top = row * step;
-}
 
 // Techniques with as many lixels each, but maps of their own.
 class Figure7
@@ -202,9 +180,10 @@ void Figure7::addFigure(const Moment& moment, std::span<const ResultRow> rows, c
                       first.view,
                       first.light,
                       {kConventional, kPerspective, kPlanes, "exact"}};
+    // Where the conventional map gets most wrong: there the paper's figure is looked at.
     for (const ResultRow& row : rows)
         if (const Measurement* m = row.measured(); m && row.technique == kConventional)
-            enlargeWhereMostIsWrong(readPng(options_.pictures / m->pictures.error), samples, truth, figure);
+            enlargeWhereMostIsWrong(readPng(options_.pictures / m->pictures.error), samples, truth.plane, figure);
     out_.figures.push_back(std::move(figure));
 }
 

@@ -11,6 +11,7 @@ function startPictures() {
   }
   byId("group").append(...withPictures.map(rows => new Option(groupName(rows[0]))));
   byId("group-field").hidden = withPictures.length < 2;
+  byId("boundary-field").hidden = !measured.some(row => row.pictures?.boundary);
   byId("group").addEventListener("change", () => showGroup(withPictures[byId("group").selectedIndex]));
   for (const [id, step] of [["group-back", -1], ["group-on", 1]])
     byId(id).addEventListener("click", () => {
@@ -21,7 +22,7 @@ function startPictures() {
   byId("left").addEventListener("change", () => showPair(shown.group[byId("left").value], shown.right));
   byId("right").addEventListener("change", () => showPair(shown.left, shown.group[byId("right").value]));
   byId("swap").addEventListener("click", () => showPair(shown.right, shown.left));
-  for (const id of ["show-error", "show-density"]) byId(id).addEventListener("change", redraw);
+  for (const id of ["show-error", "show-density", "show-boundary"]) byId(id).addEventListener("change", redraw);
   startViewer();
   showGroup(withPictures[0]);
   openView = row => {
@@ -67,15 +68,22 @@ function showPair(left, right) {
 }
 
 function redraw() {
-  const wantsError = byId("show-error").checked, wantsDensity = byId("show-density").checked;
-  byId("legend").replaceChildren(...(wantsError ? [errorKeys()] : []), ...(wantsDensity ? [densityRamp()] : []));
+  const layers = layersShown();
+  byId("legend").replaceChildren(...(layers.error ? [errorKeys()] : []), ...(layers.density ? [densityRamp()] : []),
+    ...(layers.boundary ? [colourKey("shadow boundary seen", colours.boundary)] : []));
   const tiles = [...byId("tiles").children].filter(tile => !tile.row.refused);
   return drawPanes([[byId("pane-left"), shown.left], [byId("pane-right"), shown.right],
     ...tiles.map(tile => [tile.querySelector(".pane"), tile.row])]);
 }
 
+function layersShown() {
+  return {
+    error: byId("show-error").checked, density: byId("show-density").checked, boundary: byId("show-boundary").checked,
+  };
+}
+
 async function drawPanes(panes) {
-  const layers = {error: byId("show-error").checked, density: byId("show-density").checked};
+  const layers = layersShown();
   await Promise.all(panes.map(([pane, row]) => drawLayers(pane.querySelector("canvas"), row, layers)));
   showZoom();
 }

@@ -32,10 +32,11 @@ const kDensityOpacity = 0.8; // enough of the scene shows through to know where 
 // Draws a row's layers into a canvas, pixel by pixel; the page scales it.
 async function drawLayers(canvas, row, layers) {
   const wanted = canvas.wanted = {};
-  const [shaded, density, error] = await Promise.all([
+  const [shaded, density, error, boundary] = await Promise.all([
     picture(row, "shaded"),
     layers.density ? picture(row, "density") : null,
     layers.error ? picture(row, "error") : null,
+    layers.boundary ? picture(row, "boundary") : null,
   ]);
   if (!shaded || canvas.wanted !== wanted) return; // or something newer is wanted by now
   canvas.width = shaded.width;
@@ -48,4 +49,5 @@ async function drawLayers(canvas, row, layers) {
     context.globalAlpha = 1;
   }
   if (error) context.drawImage(error, 0, 0);
+  if (boundary) context.drawImage(boundary, 0, 0);
 }

@@ -1,4 +1,4 @@
-// A paper's experiment run again: its numbers beside ours, and its figures.
+// A paper's experiment run again: its numbers and tables beside ours, and its figures.
 
 const experiment = run.reproduction;
 
@@ -16,7 +16,29 @@ function showReproduction() {
     ...(numbers.some(number => number.papers !== null) ? [column("Paper", "papers", numberText)] : []),
     column("Unit", "unit"), {...column("In the paper", "source"), className: "message"},
   ], numbers, true));
+  byId("reproduced-tables").replaceChildren(...experiment.tables.flatMap(makeTable));
   byId("figures").replaceChildren(...experiment.figures.map(makeFigure));
+}
+
+const signedText = value => `${value < 0 ? "\u2212" : "+"}${Math.abs(value).toFixed(1)}\u00a0%`;
+
+// The first column as it is, the others as percent more than it; the paper's in parentheses.
+function tableCellText({ours, papers, percent_more, papers_percent_more}, isFirst) {
+  const text = (value, more) => isFirst ? numberText(value) : isNumber(more) ? signedText(more) : numberText(value);
+  return text(ours, percent_more) + (isNumber(papers) ? ` (${text(papers, papers_percent_more)})` : "");
+}
+
+function makeTable({title, unit, source, columns, rows}) {
+  const methods = columns.map((method, index) => ({
+    ...column(method.title, row => row.cells[index].ours),
+    text: (value, row) => tableCellText(row.cells[index], index === 0),
+    title: method.technique,
+  }));
+  return [
+    element("h3", {}, title),
+    element("p", {class: "note"}, `${unit}; then percent more than ${columns[0].title}; in parentheses the paper's, ${source}.`),
+    sortableTable(title, [column("Summed over", "title"), ...methods], rows),
+  ];
 }
 
 function makeFigure(figure) {
@@ -24,15 +46,15 @@ function makeFigure(figure) {
     && ["scene", "view", "light"].every(key => row[key] === figure[key]))).filter(row => row?.pictures?.shaded);
   const made = element("figure", {class: "figure"}, element("figcaption", {}, figure.title,
     element("button", {type: "button", onclick: () => openView(rows.at(-1))}, "Compare")));
-  const panels = element("div", {class: "panels"}, ...rows.map(row => makePanel(row, figure.enlarged)));
+  const panels = element("div", {class: "panels"}, ...rows.map(row => makePanel(row, figure)));
   made.append(panels);
   return made;
 }
 
 // The picture with a frame around what is enlarged below it.
-function makePanel(row, {left, top, side}) {
+function makePanel(row, {layer, enlarged: {left, top, side}}) {
   const whole = element("canvas"), enlarged = element("canvas", {width: side, height: side, class: "enlarged"});
-  drawLayers(whole, row, {}).then(() => {
+  drawLayers(whole, row, {[layer]: true}).then(() => {
     enlarged.getContext("2d").drawImage(whole, left, top, side, side, 0, 0, side, side);
     const context = whole.getContext("2d");
     context.lineWidth = Math.max(2, whole.width / 200);

@@ -6,22 +6,23 @@ run.results.forEach((row, index) => { row.index = index; });
 const measured = run.results.filter(row => !row.refused);
 const refused = run.results.filter(row => row.refused);
 
+const severalScenes = differ(run.results, "scene");
+const differing = ["lixels", "size", "executor"].filter(key => differ(run.results, key));
+
 // A row's name among the others: what differs is said, what is common is not.
-function nameOf(row) {
-  const parts = [row.technique];
-  if (differ(run.results, "lixels")) parts.push(row.lixels);
-  if (differ(run.results, "size")) parts.push(row.size);
-  if (differ(run.results, "executor")) parts.push(row.executor);
-  return parts.join(" · ");
-}
+const nameOf = row => [row.technique, ...differing.map(key => row[key])].join(" · ");
 
 function groupName(row) {
-  return [differ(run.results, "scene") && row.scene, row.view, row.light].filter(Boolean).join(" · ");
+  return [severalScenes && row.scene, row.view, row.light].filter(Boolean).join(" · ");
 }
 
 function groupBy(rows, keyOf) {
   const groups = new Map();
-  for (const row of rows) groups.set(keyOf(row), [...groups.get(keyOf(row)) ?? [], row]);
+  for (const row of rows) {
+    const key = keyOf(row);
+    if (!groups.has(key)) groups.set(key, []);
+    groups.get(key).push(row);
+  }
   return groups;
 }
 

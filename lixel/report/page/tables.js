@@ -1,9 +1,10 @@
 // Tables that sort by a click on a heading; the sort is stable, and rows without a value come last both ways.
 
-// columns: [{label, title, value: row => number or string, text: value => string (or as it is), open: row => ...}]
+// columns: [{label, title, value: row => number or string, text: (value, row) => string (or as it is), open: row => ...}]
 // A column whose values are strings is text. `open` makes a button of its cells.
 function sortableTable(caption, columns, rows, isTall = false) {
-  const isText = column => rows.some(row => typeof column.value(row) === "string");
+  const texts = new Set(columns.filter(column => rows.some(row => typeof column.value(row) === "string")));
+  const isText = column => texts.has(column);
   const body = element("tbody");
   const headings = columns.map(column => {
     const sort = () => sortBy(column);
@@ -32,7 +33,7 @@ function sortableTable(caption, columns, rows, isTall = false) {
 
 function cell(column, row, isText) {
   const value = column.value(row);
-  const text = column.text ? column.text(value) : value ?? kNone;
+  const text = column.text ? column.text(value, row) : value ?? kNone;
   const content = column.open ? element("button", {type: "button", onclick: () => column.open(row)}, text) : text;
   return element("td", {class: [isText && "text", column.className].filter(Boolean).join(" ") || null}, content);
 }
