@@ -204,9 +204,11 @@ std::optional<Fit> croppedTo(const Fit& fit, const RaySpace& space, std::span<co
     if (scratch.points.empty()) return std::nullopt;
     scratch.hull.resize(scratch.points.size() + 1);
     const std::size_t corners = convexHull(scratch.points, scratch.hull);
-    const double perX = 1 / length(xyz(x)), perY = 1 / length(xyz(y)), least = kRoom * std::max(perX, perY) + rounding;
+    const double perX = 1 / length(xyz(x)), perY = 1 / length(xyz(y)), room = kRoom * std::max(perX, perY) + rounding;
+    const double least = frame.isPerspective ? kLeastTangent / length(xyz(w)) : 0;
     OrientedRectangle r = minimumAreaRectangle({scratch.hull.data(), corners});
-    r.halfSize = {(1 + kRoom) * r.halfSize.x + least, (1 + kRoom) * r.halfSize.y + least};
+    r.halfSize = {std::max((1 + kRoom) * r.halfSize.x + room, least),
+                  std::max((1 + kRoom) * r.halfSize.y + room, least)};
     r = resolved(r, {frame, pointsLocal, pointsLocal});
     if (!(r.area() < 4 * perX * perY)) return fit;
     const auto along = [&](Vec2d axis, double half) {

@@ -29,10 +29,6 @@ constexpr double kLeastPerRounding = 2e3 * 0x1p-24;
 // What all roundings on the way to a lixel come to: of the position, of the map's row, of their products, and of three sums.
 constexpr double kRoomPerRounding = 6 * 0x1p-24;
 
-// Half the size of a map of lights at a point, at least: a line through the light is a point in its image, but for the rounding of
-// where the light is. The image of a scene a million of its radii away is a thousand times that.
-constexpr double kLeastTangent = 1e-9;
-
 // Of a scene that is one point, at the very origin.
 constexpr double kLeastRoom = 1e-12;
 

@@ -88,6 +88,10 @@ OrientedRectangle rectangleAround(const FramedBody& body, Vec2d axis, FitScratch
 // The part of a rectangle that receivers may stray by rounding: a tenth of a lixel, of 512. Beyond, the rectangle has room.
 inline constexpr double kUnroomed = 0.1 / 256;
 
+// Half the size of a map of lights at a point, at least: a line through the light is a point in its image, but for the rounding of
+// where the light is. The image of a scene a million of its radii away is a thousand times that.
+inline constexpr double kLeastTangent = 1e-9;
+
 // The rectangle with room for what floats of positions and of the map's rows may move the body's points by.
 OrientedRectangle resolved(OrientedRectangle rectangle, const FramedBody& body);
 
