@@ -245,6 +245,10 @@ Answer takeSceneOptimal(const Word& word, Parts& parts)
         if (*search != "paper" && *search != "wide") return "scene-optimal takes search=paper or search=wide";
         if (*search == "paper") fit.search = MapSearchKind::Descent;
     }
+    if (const auto extent = arguments.take("holds")) {
+        if (*extent != "shadows" && *extent != "seen") return "scene-optimal takes holds=shadows or holds=seen";
+        if (*extent == "seen") fit.extent = MapExtent::Seen;
+    }
     if (const auto text = arguments.take("iterations")) {
         const auto iterations = readInteger(*text);
         if (!iterations || *iterations < 0 || *iterations > 100 || fit.search != MapSearchKind::Descent)
@@ -283,7 +287,8 @@ Answer takeSceneOptimal(const Word& word, Parts& parts)
     }
     fit.hasShear = arguments.takeFlag("shear");
     if (!arguments.areAllTaken())
-        return "scene-optimal takes metric=, search=, iterations=, slack=, weight=, samples=, keep=, update=, shear "
+        return "scene-optimal takes metric=, search=, holds=, iterations=, slack=, weight=, samples=, keep=, update=, "
+               "shear "
                "and uncovered=lit";
     return setOnce(parts.fit, FitChoice(fit), "fit");
 }
