@@ -7,7 +7,7 @@ namespace lixel::app {
 
 std::span<const Experiment> experiments()
 {
-    static const std::array<Experiment, 3> kAll{{
+    static const std::array<Experiment, 5> kAll{{
         {"normal-against-focused",
          "H. Chong, S. Gortler. Scene Optimized Shadow Mapping. 2007, Table 1 (columns Focused and Normal)",
          "How many more samples does a map of the whole scene get wrong than one focused on the view?", "gl", true,
@@ -22,6 +22,13 @@ std::span<const Experiment> experiments()
          "Figures 2 and 4",
          "How many samples does each way to choose the light's matrix get wrong, over lights from everywhere above?",
          "trace", true, reproduceSceneOptimisedTable1},
+        {"scene-optimised-table2",
+         "H. Chong, S. Gortler. Scene Optimized Shadow Mapping. 2007, Table 2 and sections 2.4 and 3",
+         "What does a frame cost with scene-optimised maps, by lights and lixels, against focused ones of the same "
+         "run?",
+         "gl", false, reproduceSceneOptimisedTable2},
+        {"scene-optimised-table3", "H. Chong, S. Gortler. Scene Optimized Shadow Mapping. 2007, Table 3",
+         "Where does the time of a frame with scene-optimised maps go?", "gl", false, reproduceSceneOptimisedTable3},
     }};
     return kAll;
 }

@@ -37,5 +37,7 @@ std::span<const Experiment> experiments();
 Reproduction reproduceNormalAgainstFocused(const ExperimentOptions& options);
 Reproduction reproduceLixelFig7(const ExperimentOptions& options);
 Reproduction reproduceSceneOptimisedTable1(const ExperimentOptions& options);
+Reproduction reproduceSceneOptimisedTable2(const ExperimentOptions& options);
+Reproduction reproduceSceneOptimisedTable3(const ExperimentOptions& options);
 
 } // namespace lixel::app

@@ -160,6 +160,15 @@ struct GlExecutor::State
         return {*drawn, pixels.originWorld(), gridWithin(grid, *drawn), visibilityOfPixels.lights() > 0};
     }
 
+    // Queues what the frame drawn last observed, if anything, and takes what has come.
+    bool readBack(const std::optional<ObservationGrid>& grid, Observation& observation)
+    {
+        gl::PassTimer::Scope scope(timer, gl::ObservationReadback::kName);
+        if (grid) earlierFrame.push(samplePass, observedFrame(*grid));
+        else earlierFrame.pushNothing();
+        return earlierFrame.take(observation);
+    }
+
     void drawFrame(const Frame& frame, bool isShaded)
     {
         drawView(frame.seen, frame.view);
@@ -186,6 +195,14 @@ GlExecutor& GlExecutor::operator=(GlExecutor&&) noexcept = default;
 const std::string& GlExecutor::renderer() const { return state_->device.renderer(); }
 bool GlExecutor::isSoftware() const { return state_->device.isSoftware(); }
 std::uint64_t GlExecutor::mapsDrawn() const { return state_->mapsDrawn; }
+void GlExecutor::forgetMaps() { state_->inAtlas.forget(); }
+
+void GlExecutor::finish()
+{
+    state_->device.makeCurrent();
+    glFinish();
+    state_->device.throwOnMessages("what was asked for");
+}
 
 ViewSamples GlExecutor::viewSamples(const CasterBuffers& casters, const View& view)
 {
@@ -283,20 +300,28 @@ Observation GlExecutor::observe(const Frame& frame)
     return state_->observedNow(grid);
 }
 
-std::optional<Observation> GlExecutor::advance(const Frame& frame, Observation recycled)
+bool GlExecutor::advance(const Frame& frame, Observation& observation, std::vector<FrameTimes::Pass>* passes)
 {
     LX_ASSERT(frame.lights.size() == frame.plan.lights.size());
     state_->device.makeCurrent();
-    Frame observed = frame;
-    observed.observed = frame.observed.value_or(ObservationGrid{});
-    state_->drawFrame(observed, true);
-    state_->earlierFrame.push(state_->samplePass, state_->observedFrame(*observed.observed));
-    const bool isThere = state_->earlierFrame.take(recycled);
+    if (passes) state_->timer.start();
+    state_->drawFrame(frame, true);
+    const bool isThere = state_->readBack(frame.observed, observation);
+    if (passes) {
+        passes->clear();
+        for (const gl::PassTimer::Pass& pass : state_->timer.stop()) passes->push_back({pass.name, pass.ms});
+    }
     state_->device.throwOnMessages("a frame");
-    return isThere ? std::optional<Observation>(std::move(recycled)) : std::nullopt;
+    return isThere;
 }
 
-void GlExecutor::restart() { state_->earlierFrame.clear(); }
+void GlExecutor::restart()
+{
+    state_->device.makeCurrent();
+    state_->earlierFrame.clear();
+}
+
+const char* GlExecutor::passClock() const { return state_->timer.clock(); }
 
 std::uint64_t GlExecutor::readbackWaits() const { return state_->earlierFrame.waits(); }
 

@@ -22,7 +22,7 @@
 namespace lixel {
 
 // What a frame costs, medians. A frame is: view, gather, sdsm if tables are to be made, light depth, lookup, and as asked for
-// sample and shade; nothing is read back in it.
+// sample and shade; in a loop also readback, else nothing is read back in it.
 struct FrameTimes
 {
     struct Pass
@@ -60,8 +60,11 @@ public:
     bool isSoftware() const;
 
     // Regions drawn so far. Maps of a plan stay: where the next plan's maps are the same, of casters of the same version (which
-    // is not 0), they are not drawn again.
+    // is not 0), they are not drawn again, unless they are forgotten: measuring, one does as if casters had moved.
     std::uint64_t mapsDrawn() const;
+    void forgetMaps();
+
+    void finish(); // waits until the device has done all that it was asked for
 
     // What the view sees: one sample a pixel centre, row by row from the bottom; pixels that see nothing have none.
     ViewSamples viewSamples(const CasterBuffers& casters, const View& view);
@@ -94,7 +97,8 @@ public:
         const View& view;
         const FramePlan& plan;
         std::span<const Light> lights; // of the plan; empty: measure() leaves the shade pass out
-        std::optional<ObservationGrid> observed = std::nullopt; // nothing: measure() leaves the sample pass out
+        std::optional<ObservationGrid> observed =
+            std::nullopt;                     // nothing: measure() and advance() leave the sample pass out
         std::span<const SdsmFill> fills = {}; // of a layout: tables that are made on the device from what is seen
     };
     Image<Rgba8> render(const Frame& frame);
@@ -104,11 +108,13 @@ public:
     Observation observe(const CasterBuffers& casters, const View& view, ObservationGrid grid = {});
     Observation observe(const Frame& frame);
 
-    // One frame of a loop, drawn like render()'s, but the picture stays on the device. Returns what was observed in the frame
-    // kObservationAge calls before, always that one; nothing in the first calls of a loop. Where the host runs no more frames
-    // ahead of the device than this, nothing is waited for. The storage of `recycled` is used again.
+    // One frame of a loop, drawn like render()'s, but the picture stays on the device. What was observed in the frame
+    // kObservationAge calls before, always that one, goes into `observation`, in the storage it has; false, and nothing is
+    // changed, where that frame was not observed and in the first calls of a loop. Where the host runs no more frames ahead of
+    // the device than this, nothing is waited for. `passes`: where given, each is timed, which disturbs the frame.
     static constexpr int kObservationAge = 2;
-    std::optional<Observation> advance(const Frame& frame, Observation recycled = {});
+    bool advance(const Frame& frame, Observation& observation, std::vector<FrameTimes::Pass>* passes = nullptr);
+    const char* passClock() const;       // what passes are timed by
     void restart();                      // the next advance() is the first of a loop
     std::uint64_t readbackWaits() const; // calls of advance() that met an observation which was still on its way
 

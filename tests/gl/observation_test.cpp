@@ -141,20 +141,19 @@ TEST_F(ObservationTest, ALoopGivesTheObservationOfTheFrameBeforeTheLast)
     Rng rng(5);
     Observed o(rng, 2, 90, 70);
     std::vector<Observation> wanted;
-    Observation storage;
+    Observation observed;
     for (int frame = 0; frame < 12; ++frame) {
         o.view = anyViewOf(rng, o.scene.originWorld, 1, frame < 6 ? 90 : 70, 70);
         o.plan = planFor(o.scene, o.view, o.lights, {48, 48});
         wanted.push_back(still.observe(o.frame({40, 30})));
-        std::optional<Observation> observed = executor.advance(o.frame({40, 30}), std::move(storage));
-        ASSERT_EQ(observed.has_value(), frame >= GlExecutor::kObservationAge);
-        if (!observed) continue;
-        EXPECT_EQ(observed->ageFrames, GlExecutor::kObservationAge);
-        expectSame(*observed, wanted[std::size_t(frame - GlExecutor::kObservationAge)]);
-        storage = std::move(*observed);
+        const bool isThere = executor.advance(o.frame({40, 30}), observed);
+        ASSERT_EQ(isThere, frame >= GlExecutor::kObservationAge);
+        if (!isThere) continue;
+        EXPECT_EQ(observed.ageFrames, GlExecutor::kObservationAge);
+        expectSame(observed, wanted[std::size_t(frame - GlExecutor::kObservationAge)]);
     }
     executor.restart();
-    EXPECT_FALSE(executor.advance(o.frame({40, 30})).has_value());
+    EXPECT_FALSE(executor.advance(o.frame({40, 30}), observed));
 }
 
 // A window's loop, whose context the executor shares. Delays come before a frame, on the device or on the host.
@@ -166,14 +165,12 @@ TEST_F(ObservationTest, SixHundredFramesOfAPacedLoopMeetNoFenceThatIsNotSignalle
     for (const auto& [name, deviceRounds, hostMs] :
          {std::tuple{"even", 0, 0}, std::tuple{"late device", 400, 0}, std::tuple{"late host", 0, 3}}) {
         GlExecutor executor(GlExecutor::Context::Current);
-        Observation storage;
+        Observation observed;
         std::uint64_t before = 0;
         runPaced(600, [&](int frame) {
             if (deviceRounds && frame % 5 == 0) delay.queue(deviceRounds);
             if (hostMs && frame % 5 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(hostMs));
-            std::optional<Observation> observed = executor.advance(o.frame({32, 24}), std::move(storage));
-            EXPECT_EQ(observed.has_value(), frame >= 2);
-            if (observed) storage = std::move(*observed);
+            EXPECT_EQ(executor.advance(o.frame({32, 24}), observed), frame >= 2);
             if (frame == 3) before = gl::objectsMade();
         });
         EXPECT_EQ(executor.readbackWaits(), 0u) << name;

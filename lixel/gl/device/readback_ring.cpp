@@ -43,6 +43,13 @@ void ReadbackRing::push(const Buffer& source, std::size_t bytes)
     slot.fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }
 
+void ReadbackRing::pushNothing()
+{
+    Slot& slot = slots_[pushes_++ % slots_.size()];
+    removeFence(slot);
+    slot.bytes = 0;
+}
+
 std::span<const std::byte> ReadbackRing::take()
 {
     const auto age = std::uint64_t(age_);

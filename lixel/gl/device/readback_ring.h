@@ -25,6 +25,7 @@ public:
 
     // Queues a copy of the buffer's first bytes, as they are when all that was asked of the device before is done.
     void push(const Buffer& source, std::size_t bytes);
+    void pushNothing(); // a frame that has no data
 
     // What was pushed `age` frames before the last push; nothing as long as there was none. Valid until the next push.
     // Waits where it must. Throws GraphicsError where the device is lost.

@@ -100,6 +100,10 @@ void LightDepthPass::drawSurfaces(const FramePlan& plan, const Surfaces& casters
     culled_ += draws_.culled();
     if (draws_.commands().empty()) return;
 
+    // Room for the most there can be, so that a map that moves makes no buffer when it sees more than before.
+    const std::size_t runs = casters.runs().size();
+    commands_.reserve(runs * sizeof(DrawCommand));
+    instances_.reserve(runs * std::size_t(batch.count) * sizeof(CasterInstance));
     commands_.assign(std::span<const DrawCommand>(draws_.commands()));
     instances_.assign(std::span<const CasterInstance>(draws_.instances()));
     casters.bindVertices(instances_);

@@ -9,6 +9,12 @@ void ObservationReadback::push(const SamplePass& pass, const ObservedFrame& fram
     ring_.push(pass.cells(), pass.bytes());
 }
 
+void ObservationReadback::pushNothing()
+{
+    ++pushes_;
+    ring_.pushNothing();
+}
+
 bool ObservationReadback::take(Observation& out)
 {
     const std::span<const std::byte> bytes = ring_.take();

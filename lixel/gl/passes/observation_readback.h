@@ -14,12 +14,15 @@ namespace lixel::gl {
 class ObservationReadback
 {
 public:
+    static constexpr const char* kName = "readback";
     explicit ObservationReadback(int age) : ring_(age), frames_(std::size_t(age) + 1) {}
 
     // The cells of the pass's last run, which `frame` tells of.
     void push(const SamplePass& pass, const ObservedFrame& frame);
 
-    // What was pushed the ring's age before the last push, into the storage of `out`; false as long as there was none.
+    void pushNothing(); // a frame in which nothing was observed
+
+    // What was pushed the ring's age before the last push, into the storage of `out`; false where that was nothing.
     bool take(Observation& out);
 
     void clear();
