@@ -14,6 +14,9 @@ constexpr double kLeastSine = 1e-7;
 // Directions that stand for all of a surface's.
 constexpr int kUnknownDirections = 4;
 
+// The golden section: its multiples, less whole numbers, are spread evenly.
+constexpr double kGolden = std::numbers::phi - 1;
+
 Vec3d at(const EdgeRays::Vectors& v, std::size_t i) { return {v[0][i], v[1][i], v[2][i]}; }
 
 void append(EdgeRays::Vectors& v, Vec3d value)
@@ -115,13 +118,27 @@ void EdgeRays::assign(const View& view, Vec3d originWorld, const Mat4d& framed, 
 void EdgeRays::assignSome(const EdgeRays& all, std::size_t count)
 {
     clear();
-    const auto every = [count](std::size_t size, auto&& take) {
-        const std::size_t taken = std::min(size, count);
-        for (std::size_t i = 0; i < taken; ++i) take((2 * i + 1) * size / (2 * taken));
+    // What weighs more than its turn counts as often as it is taken. Turns come irregularly, since samples do not: they go along rows
+    // of the picture, and around directions.
+    const auto some = [count](std::span<const double> weights, auto&& take) {
+        if (weights.size() <= count) {
+            for (std::size_t i = 0; i < weights.size(); ++i) take(i, weights[i]);
+            return;
+        }
+        double sum = 0, turn = kGolden;
+        std::size_t turns = 0;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            sum += double(count) * weights[i];
+            std::size_t times = 0;
+            for (; turns < count && double(turns) + turn < sum; ++turns, ++times) {
+                turn += kGolden;
+                turn -= std::floor(turn);
+            }
+            if (times > 0) take(i, double(times));
+        }
     };
-    every(all.size(), [&](std::size_t i) { add(at(all.ray, i), at(all.first, i), at(all.second, i), all.weight[i]); });
-    every(all.edgeWeight.size(),
-          [&](std::size_t i) { addEdge(at(all.edgeRay, i), at(all.across, i), all.edgeWeight[i]); });
+    some(all.weight, [&](std::size_t i, double w) { add(at(all.ray, i), at(all.first, i), at(all.second, i), w); });
+    some(all.edgeWeight, [&](std::size_t i, double w) { addEdge(at(all.edgeRay, i), at(all.across, i), w); });
     normaliseWeights();
 }
 

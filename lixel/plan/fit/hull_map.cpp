@@ -14,6 +14,9 @@ constexpr double kLeastRelativeW = 1e-4;
 // A hull that is a line or a point has this much of room around it.
 constexpr double kLeastRelativeHalf = 1e-9;
 
+// Widths that differ by less than this part do so by rounding.
+constexpr double kAlike = 1e-12;
+
 struct Extent
 {
     double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -68,7 +71,8 @@ HullMaps::Sides HullMaps::sheared(const Sides& upright) const
         for (const Vec2d& p : image_) extent.include(along(p, shear));
         return extent;
     };
-    // The width is convex and piecewise linear in the shear; it bends where a side of the hull stands upright.
+    // The width is convex and piecewise linear in the shear; it bends where a side of the hull stands upright. Of the shears that
+    // are alike, as where the rectangle's side is as wide as all, the least changes lixels least, and is Figure 3's.
     Sides out = upright;
     Extent best = extentOf(0);
     for (std::size_t i = 0; i < image_.size(); ++i) {
@@ -77,7 +81,9 @@ HullMaps::Sides HullMaps::sheared(const Sides& upright) const
         if (!(std::abs(up) > 1e-9 * length(side))) continue;
         const double shear = -dot(upright.along, side) / up;
         const Extent extent = extentOf(shear);
-        if (extent.half() < best.half()) best = extent, out.shear = shear;
+        const double gain = best.half() - extent.half();
+        if (gain > kAlike * best.half() || (gain > -kAlike * best.half() && std::abs(shear) < std::abs(out.shear)))
+            best = extent, out.shear = shear;
     }
     out.centre.x = best.middle();
     out.half.x = best.half();

@@ -3,6 +3,7 @@
 
 #include "lixel/base/fixed_vector.h"
 #include "lixel/plan/fit/hull_map.h"
+#include "lixel/plan/fit/simplex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,23 +114,25 @@ private:
     void forSides(Vec3d w, const Take& take)
     {
         if (!hull_.lookAlong(w)) return;
-        const auto squares = squares_ ? squares_->at(hull_.axis()) : std::array<double, 6>{};
-        const double cubes = cubes_ ? cubes_->at(hull_.axis()) : 0;
+        if (squares_) squaresHere_ = squares_->at(hull_.axis());
+        if (cubes_) cubesHere_ = cubes_->at(hull_.axis());
         for (std::size_t i = 0; i < hull_.sideCount(); ++i) {
             Chosen chosen{hull_.sides(i)};
             for (const bool isTurned : {false, true}) {
                 if (isTurned && hull_.isSquare()) break;
                 chosen.isTurned = isTurned;
-                chosen.energy = energyOf(chosen, squares, cubes);
+                chosen.energy = estimateOf(chosen.sides, isTurned);
                 take(chosen);
             }
         }
     }
 
-    double energyOf(const Chosen& chosen, const std::array<double, 6>& q, double cubes) const
+    // For the axis that the hull is looked at along.
+    double estimateOf(const HullMaps::Sides& sides, bool isTurned) const
     {
-        const HullMaps::Steps steps = hull_.steps(chosen.sides, chosen.isTurned);
-        if (cubes_) return cubes * length(cross(steps.alongX, steps.alongY));
+        const HullMaps::Steps steps = hull_.steps(sides, isTurned);
+        if (cubes_) return cubesHere_ * length(cross(steps.alongX, steps.alongY));
+        const auto& q = squaresHere_;
         const auto of = [&](Vec3d b) {
             return b.x * (q[0] * b.x + 2 * (q[1] * b.y + q[2] * b.z)) + b.y * (q[3] * b.y + 2 * q[4] * b.z) +
                    q[5] * b.z * b.z;
@@ -141,56 +144,25 @@ private:
     {
         const auto ask = [&](const HullMaps::Sides& sides) {
             const PlaneWarp map = hull_.rows(sides, chosen.isTurned);
-            const double energy =
-                isClosed() && !question_.hasShear ? chosen.energy : lixelEnergy(question_.metric, samples(), map);
+            const double energy = isClosed() ? estimateOf(sides, chosen.isTurned)
+                                             : lixelEnergy(question_.metric, question_.scratch.some, map);
             if (energy < best.energy) best = {map, energy};
         };
         ask(chosen.sides);
         if (question_.hasShear) ask(hull_.sheared(chosen.sides));
     }
 
-    const EdgeRays& samples() const { return isClosed() ? question_.rays : question_.scratch.some; }
-
     const MapQuestion& question_;
     HullMaps hull_;
     std::optional<SquaresForm> squares_;
     std::optional<CubesForm> cubes_;
+    std::array<double, 6> squaresHere_{};
+    double cubesHere_ = 0;
 };
-
-struct Place
-{
-    Vec2d p;
-    double energy = kInfinite;
-};
-
-// The simplex of J. Nelder and R. Mead, 1965, in the plane.
-template <typename Energy>
-Place refined(Place start, double size, int steps, const Energy& energy)
-{
-    const auto at = [&](Vec2d p) { return Place{p, energy(p)}; };
-    std::array<Place, 3> s{start, at(start.p + Vec2d{size, 0}), at(start.p + Vec2d{0, size})};
-    for (int i = 0; i < steps; ++i) {
-        std::sort(s.begin(), s.end(), [](const Place& a, const Place& b) { return a.energy < b.energy; });
-        const Vec2d middle = 0.5 * (s[0].p + s[1].p), away = middle - s[2].p;
-        const Place mirrored = at(middle + away);
-        if (mirrored.energy < s[0].energy) {
-            const Place farther = at(middle + 2 * away);
-            s[2] = farther.energy < mirrored.energy ? farther : mirrored;
-        } else if (mirrored.energy < s[1].energy) {
-            s[2] = mirrored;
-        } else {
-            const Place nearer = at(middle + (mirrored.energy < s[2].energy ? 0.5 : -0.5) * away);
-            if (nearer.energy < std::min(mirrored.energy, s[2].energy)) s[2] = nearer;
-            else
-                for (std::size_t k = 1; k < 3; ++k) s[k] = at(0.5 * (s[0].p + s[k].p));
-        }
-    }
-    return *std::min_element(s.begin(), s.end(), [](const Place& a, const Place& b) { return a.energy < b.energy; });
-}
 
 // The least few of many, in order.
 template <std::size_t kMost>
-void keepLeast(FixedVector<Place, kMost>& kept, const Place& place)
+void keepLeast(FixedVector<PlaneValue, kMost>& kept, const PlaneValue& place)
 {
     if (kept.size() == kMost) {
         if (!(place.energy < kept.back().energy)) return;
@@ -204,15 +176,6 @@ void keepLeast(FixedVector<Place, kMost>& kept, const Place& place)
 Vec3d turned(Vec3d v, Vec3d about, double angle) { return std::cos(angle) * v + std::sin(angle) * cross(about, v); }
 
 } // namespace
-
-FoundMap leastEnergyMap(const MapQuestion& question, Vec3d w)
-{
-    Asker asker(question);
-    asker.goNear(leastAreaMap(question, w).map);
-    FoundMap found = asker.best(w);
-    if (found.energy < kInfinite) found.energy = asker.ofAll(found.map);
-    return found;
-}
 
 FoundMap leastAreaMap(const MapQuestion& question, Vec3d w)
 {
@@ -254,7 +217,7 @@ FoundMap searchWidely(const MapQuestion& question)
     if (!(straight.energy < kInfinite)) return straight;
     asker.goNear(straight.map);
 
-    FixedVector<Place, kAskedAgain> promising;
+    FixedVector<PlaneValue, kAskedAgain> promising;
     keepLeast(promising, {{0, 0}, asker.estimate({0, 0, 1})});
     for (int way = 0; way < kWays; ++way)
         for (std::size_t far = 0; far < kFar.size(); ++far) {
@@ -264,13 +227,13 @@ FoundMap searchWidely(const MapQuestion& question)
         }
 
     const auto energyAt = [&](Vec2d p) { return asker.best(axes.axisAt(p)).energy; };
-    FixedVector<Place, kRefined> few;
-    for (const Place& place : promising) keepLeast(few, {place.p, energyAt(place.p)});
+    FixedVector<PlaneValue, kRefined> few;
+    for (const PlaneValue& place : promising) keepLeast(few, {place.p, energyAt(place.p)});
 
     FoundMap best = straight;
-    for (const Place& place : few) {
+    for (const PlaneValue& place : few) {
         asker.goNear(asker.best(axes.axisAt(place.p)).map);
-        const Place found = refined({place.p, energyAt(place.p)}, 0.3, kRefinements, energyAt);
+        const PlaneValue found = leastBySimplex({place.p, energyAt(place.p)}, 0.3, kRefinements, energyAt);
         const FoundMap map = asker.best(axes.axisAt(found.p));
         if (!(map.energy < kInfinite)) continue;
         const double energy = asker.ofAll(map.map);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/fit/scene_optimal.h"
 
+#include "lixel/base/enclosing_polygon.h"
 #include "lixel/plan/fit/light_frame.h"
 #include "lixel/plan/fit/lispsm.h"
 #include "lixel/plan/fit/map_search.h"
@@ -14,7 +15,7 @@
 namespace lixel {
 namespace {
 
-// Of a hull with more corners so many are searched with; what is found holds all of them.
+// A hull of more corners is searched for within a polygon of so many.
 constexpr std::size_t kMostCorners = 40;
 
 // The body with its image in [-1, 1], so that axes have the same meaning at any distance of the light.
@@ -26,17 +27,18 @@ std::optional<FramedBody> scaled(const FramedBody& body, FitScratch& scratch)
     return warped(body, {{scale, 0, -scale * box.centre.x}, {0, scale, -scale * box.centre.y}, {0, 0, 1}});
 }
 
-// Rays of the hull's corners, counter-clockwise.
-std::span<const Vec3d> raysOf(const FramedBody& body, FitScratch::OfScene& scratch)
+// Rays of the hull's corners, counter-clockwise; fewer than three where all is in line.
+std::span<const Vec3d> raysOf(const FramedBody& body, FitScratch& scratch)
 {
-    const Mat4d& framed = body.frame.framedFromLocal;
-    const std::size_t count = body.corners.size(), taken = std::min(count, kMostCorners);
-    scratch.corners.clear();
-    for (std::size_t i = 0; i < taken; ++i) {
-        const Vec4d p = point(body.corners[i * count / taken]);
-        scratch.corners.push_back({dot(framed.row(0), p), dot(framed.row(1), p), dot(framed.row(3), p)});
-    }
-    return scratch.corners;
+    auto& [points, hull, numbered, numberedHull] = scratch.plane;
+    points.clear();
+    for (const Vec3d& corner : body.corners) points.push_back(onLightPlane(body.frame, corner));
+    hull.resize(points.size() + 1);
+    std::size_t count = convexHull(points, hull);
+    if (count > kMostCorners) count = encloseWithFewerCorners({hull.data(), count}, kMostCorners);
+    scratch.scene.corners.clear();
+    for (std::size_t i = 0; i < count; ++i) scratch.scene.corners.push_back({hull[i].x, hull[i].y, 1});
+    return scratch.scene.corners;
 }
 
 } // namespace
@@ -122,7 +124,7 @@ private:
 
     std::optional<MapQuestion> question()
     {
-        const std::span<const Vec3d> corners = raysOf(body_, scratch_);
+        const std::span<const Vec3d> corners = raysOf(body_, input_.scratch);
         if (scratch_.all.isEmpty() || corners.size() < 3) return std::nullopt;
         return MapQuestion{choice_.metric, scratch_.all, corners, input_.mapAspect, choice_.hasShear, scratch_};
     }
@@ -155,15 +157,25 @@ private:
         return best;
     }
 
+    // Of one lixel, as wide against its height as the map's are.
+    std::optional<PlaneWarp> rowsOf(const Fit& fit) const
+    {
+        auto rows = planeWarpOf(body_.frame, fit.lightClipFromLocal);
+        if (!rows) return std::nullopt;
+        const double width = std::sqrt(input_.mapAspect);
+        rows->x = width * rows->x, rows->y = (1 / width) * rows->y;
+        return rows;
+    }
+
     double energyOf(const Fit& fit) const
     {
-        const auto rows = planeWarpOf(body_.frame, fit.lightClipFromLocal);
+        const auto rows = rowsOf(fit);
         return rows ? lixelEnergy(choice_.metric, scratch_.all, *rows) : std::numeric_limits<double>::infinity();
     }
 
     double medianBadness(const Fit& fit)
     {
-        const auto rows = planeWarpOf(body_.frame, fit.lightClipFromLocal);
+        const auto rows = rowsOf(fit);
         if (!rows || scratch_.all.isEmpty()) return std::numeric_limits<double>::infinity();
         badnesses(scratch_.all, *rows, scratch_.values);
         const auto middle = scratch_.values.begin() + std::ptrdiff_t(scratch_.values.size() / 2);
