@@ -103,7 +103,12 @@ public:
             if (few.size() > wanted) few.pop_back();
         });
         FoundMap out{{}, kInfinite};
-        for (const Chosen& chosen : few) take(chosen, out);
+        for (const Chosen& chosen : few) {
+            const PlaneWarp map = hull_.rows(chosen.sides, chosen.isTurned);
+            const double energy =
+                isClosed() ? chosen.energy : lixelEnergy(question_.metric, question_.scratch.some, map);
+            if (energy < out.energy) out = {map, energy};
+        }
         return out;
     }
 
@@ -117,14 +122,17 @@ private:
         if (squares_) squaresHere_ = squares_->at(hull_.axis());
         if (cubes_) cubesHere_ = cubes_->at(hull_.axis());
         for (std::size_t i = 0; i < hull_.sideCount(); ++i) {
-            Chosen chosen{hull_.sides(i)};
-            for (const bool isTurned : {false, true}) {
-                if (isTurned && hull_.isSquare()) break;
-                chosen.isTurned = isTurned;
-                chosen.energy = estimateOf(chosen.sides, isTurned);
-                take(chosen);
-            }
+            const HullMaps::Sides upright = hull_.sides(i);
+            takeBothWays(upright, take);
+            if (question_.hasShear) takeBothWays(hull_.sheared(upright), take);
         }
+    }
+
+    template <typename Take>
+    void takeBothWays(const HullMaps::Sides& sides, const Take& take)
+    {
+        take(Chosen{sides, false, estimateOf(sides, false)});
+        if (!hull_.isSquare()) take(Chosen{sides, true, estimateOf(sides, true)});
     }
 
     // For the axis that the hull is looked at along.
@@ -138,18 +146,6 @@ private:
                    q[5] * b.z * b.z;
         };
         return of(steps.alongX) + of(steps.alongY);
-    }
-
-    void take(const Chosen& chosen, FoundMap& best) const
-    {
-        const auto ask = [&](const HullMaps::Sides& sides) {
-            const PlaneWarp map = hull_.rows(sides, chosen.isTurned);
-            const double energy = isClosed() ? estimateOf(sides, chosen.isTurned)
-                                             : lixelEnergy(question_.metric, question_.scratch.some, map);
-            if (energy < best.energy) best = {map, energy};
-        };
-        ask(chosen.sides);
-        if (question_.hasShear) ask(hull_.sheared(chosen.sides));
     }
 
     const MapQuestion& question_;
@@ -173,6 +169,14 @@ void keepLeast(FixedVector<PlaneValue, kMost>& kept, const PlaneValue& place)
         std::swap(kept[i], kept[i - 1]);
 }
 
+// By area; of rectangles around one triangle of corners, which are equally large, the one with the smaller perimeter.
+bool isLess(const HullMaps::Sides& a, const HullMaps::Sides& b)
+{
+    constexpr double kEqual = 1e-9;
+    if (std::abs(a.area() - b.area()) > kEqual * b.area()) return a.area() < b.area();
+    return a.half.x + a.half.y < (1 - kEqual) * (b.half.x + b.half.y);
+}
+
 Vec3d turned(Vec3d v, Vec3d about, double angle) { return std::cos(angle) * v + std::sin(angle) * cross(about, v); }
 
 } // namespace
@@ -183,7 +187,7 @@ FoundMap leastAreaMap(const MapQuestion& question, Vec3d w)
     if (!hull.lookAlong(w)) return {{}, kInfinite};
     HullMaps::Sides least = hull.sides(0);
     for (std::size_t i = 1; i + 1 < hull.sideCount(); ++i)
-        if (const HullMaps::Sides sides = hull.sides(i); sides.area() < least.area()) least = sides;
+        if (const HullMaps::Sides sides = hull.sides(i); isLess(sides, least)) least = sides;
     if (question.hasShear) least = hull.sheared(least);
     const bool isTurned = (least.half.x < least.half.y) != (question.aspect < 1) && !hull.isSquare();
     const PlaneWarp map = hull.rows(least, isTurned);

@@ -2,6 +2,7 @@
 #include "lixel/plan/fit/scene_optimal.h"
 
 #include "lixel/base/enclosing_polygon.h"
+#include "lixel/plan/fit/hull_map.h"
 #include "lixel/plan/fit/light_frame.h"
 #include "lixel/plan/fit/lispsm.h"
 #include "lixel/plan/fit/map_search.h"
@@ -15,19 +16,21 @@
 namespace lixel {
 namespace {
 
-// A hull of more corners is searched for within a polygon of so many.
-constexpr std::size_t kMostCorners = 40;
+// An image smaller than this is one point.
+constexpr double kLeastImage = 1e-12;
 
 // The body with its image in [-1, 1], so that axes have the same meaning at any distance of the light.
 std::optional<FramedBody> scaled(const FramedBody& body, FitScratch& scratch)
 {
     const OrientedRectangle box = rectangleAround(body, RectangleKind::Upright, scratch);
-    const double scale = 1 / std::max(box.halfSize.x, box.halfSize.y);
-    if (!std::isfinite(scale)) return std::nullopt;
+    const double half = std::max(box.halfSize.x, box.halfSize.y);
+    if (!(half > kLeastImage)) return std::nullopt;
+    const double scale = 1 / half;
     return warped(body, {{scale, 0, -scale * box.centre.x}, {0, scale, -scale * box.centre.y}, {0, 0, 1}});
 }
 
-// Rays of the hull's corners, counter-clockwise; fewer than three where all is in line.
+// Rays of the hull's corners, counter-clockwise, or of a polygon's around it that has few enough; fewer than three where all is in
+// line.
 std::span<const Vec3d> raysOf(const FramedBody& body, FitScratch& scratch)
 {
     auto& [points, hull, numbered, numberedHull] = scratch.plane;
@@ -35,7 +38,7 @@ std::span<const Vec3d> raysOf(const FramedBody& body, FitScratch& scratch)
     for (const Vec3d& corner : body.corners) points.push_back(onLightPlane(body.frame, corner));
     hull.resize(points.size() + 1);
     std::size_t count = convexHull(points, hull);
-    if (count > kMostCorners) count = encloseWithFewerCorners({hull.data(), count}, kMostCorners);
+    if (count > HullMaps::kMostCorners) count = encloseWithFewerCorners({hull.data(), count}, HullMaps::kMostCorners);
     scratch.scene.corners.clear();
     for (std::size_t i = 0; i < count; ++i) scratch.scene.corners.push_back({hull[i].x, hull[i].y, 1});
     return scratch.scene.corners;
