@@ -193,7 +193,8 @@ TEST(SceneOptimal, AnyReceiversHaveAFiniteMapThatHoldsThemOrARefusal)
         }
         ++made;
         EXPECT_TRUE(isFinite(fit->lightClipFromLocal));
-        EXPECT_LE(farthestIn(*fit, points), 1 + 1e-9) << farthestIn(*fit, points) - 1;
+        // Positions are rounded to floats, some out of what other fits hold; all have room for a tenth of a lixel.
+        EXPECT_LE(farthestIn(*fit, points), 1 + kUnroomed);
     });
     std::printf("%d made, %d refused\n", made, refused);
     EXPECT_GT(made, 0);

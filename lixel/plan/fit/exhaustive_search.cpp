@@ -16,7 +16,7 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // Some samples tell the best rectangle from those that are worse by this part.
-constexpr double kSurelyWorse = 1.1;
+constexpr double kSurelyWorse = 1.05;
 
 class EveryRectangle
 {

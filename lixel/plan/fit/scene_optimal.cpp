@@ -65,7 +65,42 @@ std::optional<PlaneWarp> planeWarpOf(const LightFrame& frame, const Mat4d& light
 
 namespace {
 
-// One light's question, and the maps that may answer it.
+// Whether the map is for receivers in shadow and near its edges only.
+bool holdsSomeOnly(const FitInput& input, const SceneOptimalFit& choice)
+{
+    return choice.extent == MapExtent::Shadows && !input.shadowsLocal.empty();
+}
+
+// The receivers that the map is for, on a plane of the light. Corners stay where they are while other fits are tried.
+Expected<FramedBody, FitFailure> bodyOf(const FitInput& input, const SceneOptimalFit& choice)
+{
+    if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
+    if (!input.hasViewSamples) return Unexpected{FitFailure::NoViewSamples};
+    if (input.seenLocal.empty()) return Unexpected{FitFailure::NothingInView};
+    const std::span<const Vec3d> points = holdsSomeOnly(input, choice) ? input.shadowsLocal : input.seenLocal;
+    const auto found = frameAround(input, points);
+    if (!found) return Unexpected{found.error()};
+    auto& corners = input.scratch.scene.bodyCorners;
+    corners.assign(found->corners.begin(), found->corners.end());
+    const FramedBody body{found->frame, points, corners};
+    const bool isScaled = choice.search == MapSearchKind::Wide || !body.frame.isPerspective;
+    return isScaled ? scaled(body, input.scratch).value_or(body) : body;
+}
+
+void gatherRays(const FitInput& input, const FramedBody& body)
+{
+    input.scratch.scene.all.assign(input.view, input.originWorld, body.frame.framedFromLocal, input.edges);
+}
+
+std::optional<MapQuestion> questionOf(const FitInput& input, const SceneOptimalFit& choice, const FramedBody& body)
+{
+    FitScratch::OfScene& scratch = input.scratch.scene;
+    const std::span<const Vec3d> corners = raysOf(body, input.scratch);
+    if (scratch.all.isEmpty() || corners.size() < 3) return std::nullopt;
+    return MapQuestion{choice.metric, scratch.all, corners, input.mapAspect, choice.hasShear, scratch};
+}
+
+// One light's maps.
 class SceneFit
 {
 public:
@@ -73,7 +108,7 @@ public:
     SceneFit(const FitInput& input, const SceneOptimalFit& choice, const FramedBody& body, bool isOfSome)
         : input_(input), choice_(choice), scratch_(input.scratch.scene), body_(body), isOfSome_(isOfSome)
     {
-        scratch_.all.assign(input.view, input.originWorld, body.frame.framedFromLocal, input.edges);
+        gatherRays(input, body);
     }
 
     Fit best()
@@ -125,29 +160,23 @@ private:
 
     Fit leastArea() const { return fitted(body_, RectangleKind::LeastArea); }
 
-    std::optional<MapQuestion> question()
-    {
-        const std::span<const Vec3d> corners = raysOf(body_, input_.scratch);
-        if (scratch_.all.isEmpty() || corners.size() < 3) return std::nullopt;
-        return MapQuestion{choice_.metric, scratch_.all, corners, input_.mapAspect, choice_.hasShear, scratch_};
-    }
-
     Fit fittedTo(const FoundMap& map) const
     {
         if (!std::isfinite(map.energy)) return leastArea();
-        return fittedIn(map.map).value_or(leastArea());
+        const auto fit = fittedIn(map.map);
+        return fit ? *fit : leastArea();
     }
 
     Fit descended()
     {
-        const auto asked = question();
+        const auto asked = questionOf(input_, choice_, body_);
         return asked ? fittedTo(descend(*asked, {0, 0, 1}, {choice_.iterations, kPaperAngles})) : leastArea();
     }
 
     // None of the cheap fits is better.
     Fit bestOfAll()
     {
-        const auto asked = question();
+        const auto asked = questionOf(input_, choice_, body_);
         if (!asked) return leastArea();
         Fit best = fittedTo(searchWidely(*asked));
         double energy = energyOf(best);
@@ -204,21 +233,19 @@ private:
 
 } // namespace
 
+Expected<SceneQuestion, FitFailure> sceneQuestion(const FitInput& input, const SceneOptimalFit& choice)
+{
+    const auto body = bodyOf(input, choice);
+    if (!body) return Unexpected{body.error()};
+    gatherRays(input, *body);
+    return SceneQuestion{body->frame, questionOf(input, choice, *body)};
+}
+
 FitResult fitSceneOptimal(const FitInput& input, const SceneOptimalFit& choice)
 {
-    if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
-    if (!input.hasViewSamples) return Unexpected{FitFailure::NoViewSamples};
-    if (input.seenLocal.empty()) return Unexpected{FitFailure::NothingInView};
-    FitScratch& scratch = input.scratch;
-    const bool isOfSome = choice.extent == MapExtent::Shadows && !input.shadowsLocal.empty();
-    const std::span<const Vec3d> points = isOfSome ? input.shadowsLocal : input.seenLocal;
-    const auto found = frameAround(input, points);
-    if (!found) return Unexpected{found.error()};
-    // Corners stay where they are while other fits are tried.
-    scratch.scene.bodyCorners.assign(found->corners.begin(), found->corners.end());
-    const FramedBody body{found->frame, points, scratch.scene.bodyCorners};
-    const bool isScaled = choice.search == MapSearchKind::Wide || !body.frame.isPerspective;
-    return SceneFit(input, choice, isScaled ? scaled(body, scratch).value_or(body) : body, isOfSome).best();
+    const auto body = bodyOf(input, choice);
+    if (!body) return Unexpected{body.error()};
+    return SceneFit(input, choice, *body, holdsSomeOnly(input, choice)).best();
 }
 
 } // namespace lixel
