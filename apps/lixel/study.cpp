@@ -43,13 +43,16 @@ int runStudy(const std::string& name, const StudyOptions& options)
 
 std::span<const Study> studies()
 {
-    static const std::array<Study, 2> kAll{{
+    static const std::array<Study, 3> kAll{{
         {"one-to-one",
          "How far from the pixel that sees a point of the plane is the lixel that samples it, in plane-optimal maps?",
          false, studyOneToOne},
         {"plane-budget",
          "How does error fall with the lixels of maps for planes, on planes and off them, and where is there none?",
          true, studyPlaneBudget},
+        {"scene-optimal-search",
+         "How near are the light images that scene-optimal finds to the best of very many, by each metric?", false,
+         studySceneOptimalSearch},
     }};
     return kAll;
 }

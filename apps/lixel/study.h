@@ -32,5 +32,6 @@ std::span<const Study> studies();
 // Their runs, one file each.
 int studyOneToOne(const StudyOptions& options);
 int studyPlaneBudget(const StudyOptions& options);
+int studySceneOptimalSearch(const StudyOptions& options);
 
 } // namespace lixel::app

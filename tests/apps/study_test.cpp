@@ -39,6 +39,18 @@ TEST(StudyCommand, WithTheCpuExecutorLeavesTheDeviceOut)
     EXPECT_TRUE(json["why_no_gpu"].is_string());
 }
 
+// Two lights: enough for the form; what is within 2 % is the study's to say.
+TEST(StudyCommand, SceneOptimalSearchComparesWithTheBestOfVeryManyAxes)
+{
+    const CommandResult result =
+        runLixel({"study", "scene-optimal-search", "--count", "2", "--executor", "trace", "--json", "-"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(schemaError(result.out, "scene-optimal-search.schema.json"), "");
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["cases"].size() + 4 * json["lights_left_out"].get<std::size_t>(), 8u);
+    for (const auto& row : json["wide"]) EXPECT_LT(row["worst_ratio"].get<double>(), 1.1) << row;
+}
+
 // On planes errors fall as lixels grow, and with a lixel a pixel there are next to none.
 TEST(StudyCommand, PlaneBudgetHasNextToNoErrorsOnPlanesWithALixelAPixel)
 {

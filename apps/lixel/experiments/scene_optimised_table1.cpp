@@ -3,6 +3,7 @@
 #include "experiment.h"
 #include "experiments/enlarged_square.h"
 #include "experiments/scene_optimised_table1_numbers.h"
+#include "experiments/walkthrough.h"
 #include "lixel/plan/observe.h"
 #include "lixel/report/false_colour.h"
 #include "lixel/report/png.h"
@@ -53,29 +54,10 @@ constexpr std::size_t kShown = 4; // in Figure 4: the first
 // What the last frame is drawn with, for observations.
 constexpr const char* kStandard = "focused";
 
-// A place to stand among the objects, a little above them: chosen by its look, before anything was measured from there.
-constexpr const char* kView = "walkthrough";
-constexpr const char* kEye = "0.6,1.3,3.4";
-constexpr const char* kTarget = "-1,0.5,-2";
-constexpr double kFovy = 60; // degrees
-
 constexpr int kLights = 500, kQuickLights = 50;
 constexpr const char* kPicture = "750x750";
 constexpr const char* kMap = "400x400";
 constexpr std::size_t kFootprintStep = 16; // samples; all of them would take as long as a map and its lookup
-
-Shooting shootingOf(const std::string& size)
-{
-    PictureOptions picture;
-    picture.scene = "objects";
-    picture.size = size;
-    picture.flags.eye = kEye;
-    picture.flags.target = kTarget;
-    picture.flags.fovy = kFovy;
-    Shooting shooting = prepare(picture, false);
-    shooting.shots.front().name = kView;
-    return shooting;
-}
 
 class Table1
 {
@@ -110,7 +92,7 @@ Table1::Table1(const ExperimentOptions& options)
       size_(options.size.value_or(kPicture)),
       lixels_(options.lixels.value_or(kMap)),
       lights_(hemisphereLights(options.seed, options.lights.value_or(options.isQuick ? kQuickLights : kLights))),
-      shooting_(shootingOf(size_)),
+      shooting_(walkthroughAt(size_)),
       stage_(makeStage(shooting_.scene, shooting_.evaluateOptions, originOf(shooting_, shooting_.shots.front()))),
       view_(viewOf(shooting_, shooting_.shots.front())),
       standard_(readTechniques(kStandard))
@@ -165,7 +147,7 @@ void Table1::showExample(const Light& light)
     options.pictures = options_.pictures;
     options.techniques.push_back(readTechniques("exact").front());
     std::vector<ResultRow> rows = rowsOf(light, options);
-    const std::string boundary = fmt::format("pictures/{}-{}-boundary.png", kView, light.name);
+    const std::string boundary = fmt::format("pictures/{}-{}-boundary.png", shooting_.shots.front().name, light.name);
     writePng(options_.pictures / boundary, boundaryPicture(*options.memory.observed, 0));
     for (ResultRow& row : rows)
         if (auto* m = std::get_if<Measurement>(&row.outcome)) m->pictures.boundary = boundary;
@@ -177,7 +159,11 @@ void Table1::showExample(const Light& light)
 // Figure 4 as it is, and with what is wrong; Figure 2.
 void Table1::addFigures(const std::vector<ResultRow>& rows)
 {
-    PictureRow figure{"Figure 4: Optimal, Focused, LiSPSM, Plane", rows.front().scene, kView, rows.front().light, {}};
+    PictureRow figure{"Figure 4: Optimal, Focused, LiSPSM, Plane",
+                      rows.front().scene,
+                      shooting_.shots.front().name,
+                      rows.front().light,
+                      {}};
     for (std::size_t method = 0; method < kShown; ++method)
         if (rows[method].measured()) figure.techniques.push_back(rows[method].technique);
     enlargeWhereMostIsWrong(readPng(options_.pictures / rows[kFocused].measured()->pictures.error), samples_,
@@ -195,7 +181,7 @@ void Table1::addFigures(const std::vector<ResultRow>& rows)
 void Table1::addParameters()
 {
     out_.parameters = {{"scene", shooting_.sceneName},
-                       {"view", fmt::format("{}: eye {}, target {}, {} degrees high", kView, kEye, kTarget, kFovy)},
+                       {"view", std::string(kWalkthrough)},
                        {"lights", fmt::format("{} of parallel light, uniform on the upper hemisphere", lights_.size())},
                        {"size", size_},
                        {"lixels", lixels_},

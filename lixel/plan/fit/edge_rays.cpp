@@ -11,8 +11,12 @@ namespace {
 // Sines of angles between surface and line of sight or light ray below this are rounding.
 constexpr double kLeastSine = 1e-7;
 
-// Directions that stand for all of a surface's.
-constexpr int kUnknownDirections = 4;
+// Unit normals of the edges that stand for those in all directions of a surface.
+constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
+constexpr std::array<Vec2d, 4> kDirections{{{1, 0}, {kDiagonal, kDiagonal}, {0, 1}, {-kDiagonal, kDiagonal}}};
+
+// The golden section: its multiples, less whole numbers, are spread evenly.
+constexpr double kGolden = std::numbers::phi - 1;
 
 Vec3d at(const EdgeRays::Vectors& v, std::size_t i) { return {v[0][i], v[1][i], v[2][i]}; }
 
@@ -39,9 +43,10 @@ struct OnPicture
         : t1(anyPerpendicular(sample.normal)), t2(cross(sample.normal, t1))
     {
         const Vec4d at = pixelsFromLocal * point(sample.pointLocal);
+        const double perW = 1 / at.w, x = perW * at.x, y = perW * at.y;
         const auto along = [&](Vec3d tangent) {
             const Vec4d change = pixelsFromLocal * direction(tangent);
-            return Vec2d{(change.x - change.w * (at.x / at.w)) / at.w, (change.y - change.w * (at.y / at.w)) / at.w};
+            return perW * Vec2d{change.x - change.w * x, change.y - change.w * y};
         };
         p1 = along(t1), p2 = along(t2);
     }
@@ -87,12 +92,14 @@ void EdgeRays::assign(const View& view, Vec3d originWorld, const Mat4d& framed, 
         const Vec3d r = rayOf(point(sample.pointLocal)), s1 = rayOf(direction(picture.t1)),
                     s2 = rayOf(direction(picture.t2));
         // A pixel to the right, and one up, along the surface.
-        const Vec3d r1 = (1 / area) * (picture.p2.y * s1 - picture.p1.y * s2),
-                    r2 = (1 / area) * (picture.p1.x * s2 - picture.p2.x * s1);
+        const double perArea = 1 / area;
+        const Vec3d r1 = perArea * (picture.p2.y * s1 - picture.p1.y * s2),
+                    r2 = perArea * (picture.p1.x * s2 - picture.p2.x * s1);
         const double D = dot(r, cross(r1, r2));
         if (!(r.z > 0) || !(std::abs(D) > kLeastSine * length(r) * length(r1) * length(r2)) || !std::isfinite(D))
             continue;
-        const Vec3d k1 = (1 / D) * cross(r2, r), k2 = (-1 / D) * cross(r1, r);
+        const double perD = 1 / D;
+        const Vec3d k1 = perD * cross(r2, r), k2 = -perD * cross(r1, r);
         add(r, k1, k2, sample.weight);
         if (dot(sample.across, sample.across) > 0) {
             addEdge(r, sample.across.x * k1 + sample.across.y * k2, sample.weight);
@@ -100,13 +107,11 @@ void EdgeRays::assign(const View& view, Vec3d originWorld, const Mat4d& framed, 
         }
         // An edge with the unit normal m on the surface moves by |area| / size pixels across itself for each unit along m (need.h).
         const double size = std::sqrt(0.5 * (dot(picture.p1, picture.p1) + dot(picture.p2, picture.p2)));
-        for (int i = 0; i < kUnknownDirections; ++i) {
-            const double angle = std::numbers::pi * i / kUnknownDirections;
-            const Vec2d m{std::cos(angle), std::sin(angle)};
+        for (const Vec2d& m : kDirections) {
             // m as a function of pixels: the inverse of [p1 p2], transposed.
             const Vec2d n =
                 (1 / size) * Vec2d{m.x * picture.p2.y - m.y * picture.p1.y, m.y * picture.p1.x - m.x * picture.p2.x};
-            addEdge(r, n.x * k1 + n.y * k2, sample.weight / kUnknownDirections);
+            addEdge(r, n.x * k1 + n.y * k2, sample.weight / kDirections.size());
         }
     }
     normaliseWeights();
@@ -115,13 +120,27 @@ void EdgeRays::assign(const View& view, Vec3d originWorld, const Mat4d& framed, 
 void EdgeRays::assignSome(const EdgeRays& all, std::size_t count)
 {
     clear();
-    const auto every = [count](std::size_t size, auto&& take) {
-        const std::size_t taken = std::min(size, count);
-        for (std::size_t i = 0; i < taken; ++i) take((2 * i + 1) * size / (2 * taken));
+    // What weighs more than its turn counts as often as it is taken. Turns come irregularly, since samples do not: they go along rows
+    // of the picture, and around directions.
+    const auto some = [count](std::span<const double> weights, auto&& take) {
+        if (weights.size() <= count) {
+            for (std::size_t i = 0; i < weights.size(); ++i) take(i, weights[i]);
+            return;
+        }
+        double sum = 0, turn = kGolden;
+        std::size_t turns = 0;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            sum += double(count) * weights[i];
+            std::size_t times = 0;
+            for (; turns < count && double(turns) + turn < sum; ++turns, ++times) {
+                turn += kGolden;
+                turn -= std::floor(turn);
+            }
+            if (times > 0) take(i, double(times));
+        }
     };
-    every(all.size(), [&](std::size_t i) { add(at(all.ray, i), at(all.first, i), at(all.second, i), all.weight[i]); });
-    every(all.edgeWeight.size(),
-          [&](std::size_t i) { addEdge(at(all.edgeRay, i), at(all.across, i), all.edgeWeight[i]); });
+    some(all.weight, [&](std::size_t i, double w) { add(at(all.ray, i), at(all.first, i), at(all.second, i), w); });
+    some(all.edgeWeight, [&](std::size_t i, double w) { addEdge(at(all.edgeRay, i), at(all.across, i), w); });
     normaliseWeights();
 }
 

@@ -35,7 +35,7 @@ public:
     // Weights come out with a sum of 1. Samples whose surface is edge-on to the view or to the light, but for rounding, are left out.
     void assign(const View& view, Vec3d originWorld, const Mat4d& framedFromLocal, std::span<const NeedSample> samples);
 
-    // Of the samples of others about so many, evenly, each for as many as it stands for.
+    // Of the samples of others about so many, as often as they weigh, spread over all.
     void assignSome(const EdgeRays& all, std::size_t count);
 
     std::size_t size() const { return weight.size(); }

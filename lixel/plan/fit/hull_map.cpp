@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/fit/hull_map.h"
 
+#include "lixel/base/fixed_vector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +15,9 @@ constexpr double kLeastRelativeW = 1e-4;
 
 // A hull that is a line or a point has this much of room around it.
 constexpr double kLeastRelativeHalf = 1e-9;
+
+// Widths that differ by less than this part do so by rounding.
+constexpr double kAlike = 1e-12;
 
 struct Extent
 {
@@ -62,22 +67,33 @@ HullMaps::Sides HullMaps::sides(std::size_t number) const
 HullMaps::Sides HullMaps::sheared(const Sides& upright) const
 {
     const Vec2d across{-upright.along.y, upright.along.x};
-    const auto along = [&](const Vec2d& p, double shear) { return dot(upright.along, p) + shear * dot(across, p); };
     const auto extentOf = [&](double shear) {
+        const Vec2d leaning = upright.along + shear * across;
         Extent extent;
-        for (const Vec2d& p : image_) extent.include(along(p, shear));
+        for (const Vec2d& p : image_) extent.include(dot(leaning, p));
         return extent;
     };
-    // The width is convex and piecewise linear in the shear; it bends where a side of the hull stands upright.
+    // The width is convex and piecewise linear in the shear; it bends where a side of the hull stands upright. Where the rectangle's
+    // side is as wide as all, shears between two bends are alike: of these the least, which is Figure 3's, changes lixels least. So
+    // it is sought from none outwards, either way.
     Sides out = upright;
     Extent best = extentOf(0);
-    for (std::size_t i = 0; i < image_.size(); ++i) {
-        const Vec2d side = image_[i + 1 < image_.size() ? i + 1 : 0] - image_[i];
-        const double up = dot(across, side);
-        if (!(std::abs(up) > 1e-9 * length(side))) continue;
-        const double shear = -dot(upright.along, side) / up;
-        const Extent extent = extentOf(shear);
-        if (extent.half() < best.half()) best = extent, out.shear = shear;
+    for (const double way : {-1.0, 1.0}) {
+        FixedVector<double, kMostCorners> bends;
+        for (std::size_t i = 0; i < image_.size(); ++i) {
+            const Vec2d side = image_[i + 1 < image_.size() ? i + 1 : 0] - image_[i];
+            const double up = dot(across, side), bend = -way * dot(upright.along, side) / up;
+            if (std::abs(up) > 1e-9 * length(side) && bend > 0) bends.push_back(bend);
+        }
+        std::sort(bends.begin(), bends.end());
+        // The first bend that is not wider than the next.
+        const double* least = std::partition_point(bends.begin(), bends.end(), [&](const double& bend) {
+            const double* next = &bend + 1;
+            return next != bends.end() && extentOf(way * *next).half() < (1 - kAlike) * extentOf(way * bend).half();
+        });
+        if (least == bends.end()) continue;
+        const Extent extent = extentOf(way * *least);
+        if (extent.half() < (1 - kAlike) * best.half()) best = extent, out.shear = way * *least;
     }
     out.centre.x = best.middle();
     out.half.x = best.half();

@@ -18,7 +18,9 @@ namespace lixel {
 class HullMaps
 {
 public:
-    // `corners`: rays (x, y, w) of the hull, counter-clockwise on the light plane. `aspect`: lixels across the map over those
+    static constexpr std::size_t kMostCorners = 40;
+
+    // `corners`: rays (x, y, w) of the hull, counter-clockwise on the light plane, kMostCorners at most. `aspect`: lixels across the map over those
     // along, if that is known.
     HullMaps(std::span<const Vec3d> corners, double aspect, std::vector<Vec2d>& room)
         : corners_(corners), aspect_(aspect), room_(room)
@@ -39,7 +41,7 @@ public:
     std::size_t sideCount() const { return image_.size() + 1; }
     // Of the hull's side, or, as the last, upright across the way in which the image widens.
     Sides sides(std::size_t number) const;
-    // The parallelogram of least area with the rectangle's side (Figure 3): others lean on the hull.
+    // The parallelogram of least area with the rectangle's side (Figure 3); where several are, that of the least shear.
     Sides sheared(const Sides& upright) const;
 
     // u = (x.r / w.r, y.r / w.r) is in [-1/2, 1/2] times the map's sides, whose product is 1. Turned: along runs up the map.

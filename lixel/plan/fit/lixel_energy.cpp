@@ -40,14 +40,12 @@ struct Inverse
 
     double squares() const { return m11 * m11 + m12 * m12 + m21 * m21 + m22 * m22; }
     double determinant() const { return m11 * m22 - m12 * m21; }
-};
 
-double longestAxis(double squares, double determinant)
-{
-    const double twice = 2 * std::abs(determinant);
-    const double apart = std::max(squares - twice, 0.0) * (squares + twice); // of the squared singular values, squared
-    return std::sqrt(0.5 * (squares + std::sqrt(apart)));
-}
+    // The sum and the difference of the singular values, one or the other: a similarity's length, and a mirrored one's.
+    double alike() const { return std::sqrt((m11 + m22) * (m11 + m22) + (m21 - m12) * (m21 - m12)); }
+    double mirrored() const { return std::sqrt((m11 - m22) * (m11 - m22) + (m21 + m12) * (m21 + m12)); }
+    double longestAxis() const { return 0.5 * (alike() + mirrored()); }
+};
 
 // Calls `value` for the inverse of every sample, and adds up what it gives, weighted.
 template <typename Value>
@@ -97,14 +95,12 @@ Slope slopeOf(LixelMetric metric, const Inverse& m)
     const double determinant = m.determinant(), sign = determinant < 0 ? -1 : 1;
     if (metric == LixelMetric::Area)
         return {std::abs(determinant), {sign * m.m22, -sign * m.m21, -sign * m.m12, sign * m.m11}};
-    // The largest singular value s of M solves s^4 - |M|^2 s^2 + det^2 = 0.
-    const double s = longestAxis(m.squares(), determinant);
-    const double denominator = s * (2 * s * s - m.squares());
-    if (!(denominator > 0)) return {s, {}};
-    const double ofSquares = s * s / denominator, ofDeterminant = -determinant / denominator;
-    return {s,
-            {ofSquares * m.m11 + ofDeterminant * m.m22, ofSquares * m.m12 - ofDeterminant * m.m21,
-             ofSquares * m.m21 - ofDeterminant * m.m12, ofSquares * m.m22 + ofDeterminant * m.m11}};
+    // Where one of the two vanishes, lixels are round in the picture and the longest axis has no derivative of it; the other's stays.
+    const double alike = m.alike(), mirrored = m.mirrored();
+    const double a = alike > 0 ? 0.5 / alike : 0, b = mirrored > 0 ? 0.5 / mirrored : 0;
+    return {0.5 * (alike + mirrored),
+            {a * (m.m11 + m.m22) + b * (m.m11 - m.m22), a * (m.m12 - m.m21) + b * (m.m12 + m.m21),
+             a * (m.m21 - m.m12) + b * (m.m21 + m.m12), a * (m.m22 + m.m11) + b * (m.m22 - m.m11)}};
 }
 
 EnergyChange widthChange(const EdgeRays& rays, const PlaneWarp& map)
@@ -156,8 +152,7 @@ double lixelEnergy(LixelMetric metric, const EdgeRays& rays, const PlaneWarp& ma
     case LixelMetric::L2: return meanOfInverses(rays, map, [](const Inverse& m) { return m.squares(); });
     case LixelMetric::Area:
         return meanOfInverses(rays, map, [](const Inverse& m) { return std::abs(m.determinant()); });
-    case LixelMetric::Lloyd:
-        return meanOfInverses(rays, map, [](const Inverse& m) { return longestAxis(m.squares(), m.determinant()); });
+    case LixelMetric::Lloyd: return meanOfInverses(rays, map, [](const Inverse& m) { return m.longestAxis(); });
     case LixelMetric::Width: return meanWidth(rays, map);
     }
     return kInfinite;

@@ -3,6 +3,7 @@
 
 #include "lixel/base/fixed_vector.h"
 #include "lixel/plan/fit/hull_map.h"
+#include "lixel/plan/fit/simplex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +103,12 @@ public:
             if (few.size() > wanted) few.pop_back();
         });
         FoundMap out{{}, kInfinite};
-        for (const Chosen& chosen : few) take(chosen, out);
+        for (const Chosen& chosen : few) {
+            const PlaneWarp map = hull_.rows(chosen.sides, chosen.isTurned);
+            const double energy =
+                isClosed() ? chosen.energy : lixelEnergy(question_.metric, question_.scratch.some, map);
+            if (energy < out.energy) out = {map, energy};
+        }
         return out;
     }
 
@@ -113,23 +119,28 @@ private:
     void forSides(Vec3d w, const Take& take)
     {
         if (!hull_.lookAlong(w)) return;
-        const auto squares = squares_ ? squares_->at(hull_.axis()) : std::array<double, 6>{};
-        const double cubes = cubes_ ? cubes_->at(hull_.axis()) : 0;
+        if (squares_) squaresHere_ = squares_->at(hull_.axis());
+        if (cubes_) cubesHere_ = cubes_->at(hull_.axis());
         for (std::size_t i = 0; i < hull_.sideCount(); ++i) {
-            Chosen chosen{hull_.sides(i)};
-            for (const bool isTurned : {false, true}) {
-                if (isTurned && hull_.isSquare()) break;
-                chosen.isTurned = isTurned;
-                chosen.energy = energyOf(chosen, squares, cubes);
-                take(chosen);
-            }
+            const HullMaps::Sides upright = hull_.sides(i);
+            takeBothWays(upright, take);
+            if (question_.hasShear) takeBothWays(hull_.sheared(upright), take);
         }
     }
 
-    double energyOf(const Chosen& chosen, const std::array<double, 6>& q, double cubes) const
+    template <typename Take>
+    void takeBothWays(const HullMaps::Sides& sides, const Take& take)
     {
-        const HullMaps::Steps steps = hull_.steps(chosen.sides, chosen.isTurned);
-        if (cubes_) return cubes * length(cross(steps.alongX, steps.alongY));
+        take(Chosen{sides, false, estimateOf(sides, false)});
+        if (!hull_.isSquare()) take(Chosen{sides, true, estimateOf(sides, true)});
+    }
+
+    // For the axis that the hull is looked at along.
+    double estimateOf(const HullMaps::Sides& sides, bool isTurned) const
+    {
+        const HullMaps::Steps steps = hull_.steps(sides, isTurned);
+        if (cubes_) return cubesHere_ * length(cross(steps.alongX, steps.alongY));
+        const auto& q = squaresHere_;
         const auto of = [&](Vec3d b) {
             return b.x * (q[0] * b.x + 2 * (q[1] * b.y + q[2] * b.z)) + b.y * (q[3] * b.y + 2 * q[4] * b.z) +
                    q[5] * b.z * b.z;
@@ -137,60 +148,17 @@ private:
         return of(steps.alongX) + of(steps.alongY);
     }
 
-    void take(const Chosen& chosen, FoundMap& best) const
-    {
-        const auto ask = [&](const HullMaps::Sides& sides) {
-            const PlaneWarp map = hull_.rows(sides, chosen.isTurned);
-            const double energy =
-                isClosed() && !question_.hasShear ? chosen.energy : lixelEnergy(question_.metric, samples(), map);
-            if (energy < best.energy) best = {map, energy};
-        };
-        ask(chosen.sides);
-        if (question_.hasShear) ask(hull_.sheared(chosen.sides));
-    }
-
-    const EdgeRays& samples() const { return isClosed() ? question_.rays : question_.scratch.some; }
-
     const MapQuestion& question_;
     HullMaps hull_;
     std::optional<SquaresForm> squares_;
     std::optional<CubesForm> cubes_;
+    std::array<double, 6> squaresHere_{};
+    double cubesHere_ = 0;
 };
-
-struct Place
-{
-    Vec2d p;
-    double energy = kInfinite;
-};
-
-// The simplex of J. Nelder and R. Mead, 1965, in the plane.
-template <typename Energy>
-Place refined(Place start, double size, int steps, const Energy& energy)
-{
-    const auto at = [&](Vec2d p) { return Place{p, energy(p)}; };
-    std::array<Place, 3> s{start, at(start.p + Vec2d{size, 0}), at(start.p + Vec2d{0, size})};
-    for (int i = 0; i < steps; ++i) {
-        std::sort(s.begin(), s.end(), [](const Place& a, const Place& b) { return a.energy < b.energy; });
-        const Vec2d middle = 0.5 * (s[0].p + s[1].p), away = middle - s[2].p;
-        const Place mirrored = at(middle + away);
-        if (mirrored.energy < s[0].energy) {
-            const Place farther = at(middle + 2 * away);
-            s[2] = farther.energy < mirrored.energy ? farther : mirrored;
-        } else if (mirrored.energy < s[1].energy) {
-            s[2] = mirrored;
-        } else {
-            const Place nearer = at(middle + (mirrored.energy < s[2].energy ? 0.5 : -0.5) * away);
-            if (nearer.energy < std::min(mirrored.energy, s[2].energy)) s[2] = nearer;
-            else
-                for (std::size_t k = 1; k < 3; ++k) s[k] = at(0.5 * (s[0].p + s[k].p));
-        }
-    }
-    return *std::min_element(s.begin(), s.end(), [](const Place& a, const Place& b) { return a.energy < b.energy; });
-}
 
 // The least few of many, in order.
 template <std::size_t kMost>
-void keepLeast(FixedVector<Place, kMost>& kept, const Place& place)
+void keepLeast(FixedVector<PlaneValue, kMost>& kept, const PlaneValue& place)
 {
     if (kept.size() == kMost) {
         if (!(place.energy < kept.back().energy)) return;
@@ -201,18 +169,17 @@ void keepLeast(FixedVector<Place, kMost>& kept, const Place& place)
         std::swap(kept[i], kept[i - 1]);
 }
 
+// By area; of rectangles around one triangle of corners, which are equally large, the one with the smaller perimeter.
+bool isLess(const HullMaps::Sides& a, const HullMaps::Sides& b)
+{
+    constexpr double kEqual = 1e-9;
+    if (std::abs(a.area() - b.area()) > kEqual * b.area()) return a.area() < b.area();
+    return a.half.x + a.half.y < (1 - kEqual) * (b.half.x + b.half.y);
+}
+
 Vec3d turned(Vec3d v, Vec3d about, double angle) { return std::cos(angle) * v + std::sin(angle) * cross(about, v); }
 
 } // namespace
-
-FoundMap leastEnergyMap(const MapQuestion& question, Vec3d w)
-{
-    Asker asker(question);
-    asker.goNear(leastAreaMap(question, w).map);
-    FoundMap found = asker.best(w);
-    if (found.energy < kInfinite) found.energy = asker.ofAll(found.map);
-    return found;
-}
 
 FoundMap leastAreaMap(const MapQuestion& question, Vec3d w)
 {
@@ -220,7 +187,7 @@ FoundMap leastAreaMap(const MapQuestion& question, Vec3d w)
     if (!hull.lookAlong(w)) return {{}, kInfinite};
     HullMaps::Sides least = hull.sides(0);
     for (std::size_t i = 1; i + 1 < hull.sideCount(); ++i)
-        if (const HullMaps::Sides sides = hull.sides(i); sides.area() < least.area()) least = sides;
+        if (const HullMaps::Sides sides = hull.sides(i); isLess(sides, least)) least = sides;
     if (question.hasShear) least = hull.sheared(least);
     const bool isTurned = (least.half.x < least.half.y) != (question.aspect < 1) && !hull.isSquare();
     const PlaneWarp map = hull.rows(least, isTurned);
@@ -254,7 +221,7 @@ FoundMap searchWidely(const MapQuestion& question)
     if (!(straight.energy < kInfinite)) return straight;
     asker.goNear(straight.map);
 
-    FixedVector<Place, kAskedAgain> promising;
+    FixedVector<PlaneValue, kAskedAgain> promising;
     keepLeast(promising, {{0, 0}, asker.estimate({0, 0, 1})});
     for (int way = 0; way < kWays; ++way)
         for (std::size_t far = 0; far < kFar.size(); ++far) {
@@ -264,13 +231,13 @@ FoundMap searchWidely(const MapQuestion& question)
         }
 
     const auto energyAt = [&](Vec2d p) { return asker.best(axes.axisAt(p)).energy; };
-    FixedVector<Place, kRefined> few;
-    for (const Place& place : promising) keepLeast(few, {place.p, energyAt(place.p)});
+    FixedVector<PlaneValue, kRefined> few;
+    for (const PlaneValue& place : promising) keepLeast(few, {place.p, energyAt(place.p)});
 
     FoundMap best = straight;
-    for (const Place& place : few) {
+    for (const PlaneValue& place : few) {
         asker.goNear(asker.best(axes.axisAt(place.p)).map);
-        const Place found = refined({place.p, energyAt(place.p)}, 0.3, kRefinements, energyAt);
+        const PlaneValue found = leastBySimplex({place.p, energyAt(place.p)}, 0.3, kRefinements, energyAt);
         const FoundMap map = asker.best(axes.axisAt(found.p));
         if (!(map.energy < kInfinite)) continue;
         const double energy = asker.ofAll(map.map);

@@ -25,10 +25,8 @@ struct FoundMap
     double energy = 0; // of all samples; infinite where nothing was found
 };
 
-// Around the hull, from a given optical axis: the rectangle of least area, as the paper fits it ...
+// The rectangle of least area around the hull, from a given optical axis, as the paper fits it.
 FoundMap leastAreaMap(const MapQuestion& question, Vec3d w);
-// ... or that of least energy among those with a side on the hull.
-FoundMap leastEnergyMap(const MapQuestion& question, Vec3d w);
 
 // Gradient descent on the axis, affine parts of least area.
 //

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/fit/scene_optimal.h"
 
+#include "lixel/base/enclosing_polygon.h"
+#include "lixel/plan/fit/hull_map.h"
 #include "lixel/plan/fit/light_frame.h"
 #include "lixel/plan/fit/lispsm.h"
 #include "lixel/plan/fit/map_search.h"
@@ -14,29 +16,32 @@
 namespace lixel {
 namespace {
 
-// Of a hull with more corners so many are searched with; what is found holds all of them.
-constexpr std::size_t kMostCorners = 40;
+// An image smaller than this is one point.
+constexpr double kLeastImage = 1e-12;
 
 // The body with its image in [-1, 1], so that axes have the same meaning at any distance of the light.
 std::optional<FramedBody> scaled(const FramedBody& body, FitScratch& scratch)
 {
     const OrientedRectangle box = rectangleAround(body, RectangleKind::Upright, scratch);
-    const double scale = 1 / std::max(box.halfSize.x, box.halfSize.y);
-    if (!std::isfinite(scale)) return std::nullopt;
+    const double half = std::max(box.halfSize.x, box.halfSize.y);
+    if (!(half > kLeastImage)) return std::nullopt;
+    const double scale = 1 / half;
     return warped(body, {{scale, 0, -scale * box.centre.x}, {0, scale, -scale * box.centre.y}, {0, 0, 1}});
 }
 
-// Rays of the hull's corners, counter-clockwise.
-std::span<const Vec3d> raysOf(const FramedBody& body, FitScratch::OfScene& scratch)
+// Rays of the hull's corners, counter-clockwise, or of a polygon's around it that has few enough; fewer than three where all is in
+// line.
+std::span<const Vec3d> raysOf(const FramedBody& body, FitScratch& scratch)
 {
-    const Mat4d& framed = body.frame.framedFromLocal;
-    const std::size_t count = body.corners.size(), taken = std::min(count, kMostCorners);
-    scratch.corners.clear();
-    for (std::size_t i = 0; i < taken; ++i) {
-        const Vec4d p = point(body.corners[i * count / taken]);
-        scratch.corners.push_back({dot(framed.row(0), p), dot(framed.row(1), p), dot(framed.row(3), p)});
-    }
-    return scratch.corners;
+    auto& [points, hull, numbered, numberedHull] = scratch.plane;
+    points.clear();
+    for (const Vec3d& corner : body.corners) points.push_back(onLightPlane(body.frame, corner));
+    hull.resize(points.size() + 1);
+    std::size_t count = convexHull(points, hull);
+    if (count > HullMaps::kMostCorners) count = encloseWithFewerCorners({hull.data(), count}, HullMaps::kMostCorners);
+    scratch.scene.corners.clear();
+    for (std::size_t i = 0; i < count; ++i) scratch.scene.corners.push_back({hull[i].x, hull[i].y, 1});
+    return scratch.scene.corners;
 }
 
 } // namespace
@@ -60,7 +65,42 @@ std::optional<PlaneWarp> planeWarpOf(const LightFrame& frame, const Mat4d& light
 
 namespace {
 
-// One light's question, and the maps that may answer it.
+// Whether the map is for receivers in shadow and near its edges only.
+bool holdsSomeOnly(const FitInput& input, const SceneOptimalFit& choice)
+{
+    return choice.extent == MapExtent::Shadows && !input.shadowsLocal.empty();
+}
+
+// The receivers that the map is for, on a plane of the light. Corners stay where they are while other fits are tried.
+Expected<FramedBody, FitFailure> bodyOf(const FitInput& input, const SceneOptimalFit& choice)
+{
+    if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
+    if (!input.hasViewSamples) return Unexpected{FitFailure::NoViewSamples};
+    if (input.seenLocal.empty()) return Unexpected{FitFailure::NothingInView};
+    const std::span<const Vec3d> points = holdsSomeOnly(input, choice) ? input.shadowsLocal : input.seenLocal;
+    const auto found = frameAround(input, points);
+    if (!found) return Unexpected{found.error()};
+    auto& corners = input.scratch.scene.bodyCorners;
+    corners.assign(found->corners.begin(), found->corners.end());
+    const FramedBody body{found->frame, points, corners};
+    const bool isScaled = choice.search == MapSearchKind::Wide || !body.frame.isPerspective;
+    return isScaled ? scaled(body, input.scratch).value_or(body) : body;
+}
+
+void gatherRays(const FitInput& input, const FramedBody& body)
+{
+    input.scratch.scene.all.assign(input.view, input.originWorld, body.frame.framedFromLocal, input.edges);
+}
+
+std::optional<MapQuestion> questionOf(const FitInput& input, const SceneOptimalFit& choice, const FramedBody& body)
+{
+    FitScratch::OfScene& scratch = input.scratch.scene;
+    const std::span<const Vec3d> corners = raysOf(body, input.scratch);
+    if (scratch.all.isEmpty() || corners.size() < 3) return std::nullopt;
+    return MapQuestion{choice.metric, scratch.all, corners, input.mapAspect, choice.hasShear, scratch};
+}
+
+// One light's maps.
 class SceneFit
 {
 public:
@@ -68,7 +108,7 @@ public:
     SceneFit(const FitInput& input, const SceneOptimalFit& choice, const FramedBody& body, bool isOfSome)
         : input_(input), choice_(choice), scratch_(input.scratch.scene), body_(body), isOfSome_(isOfSome)
     {
-        scratch_.all.assign(input.view, input.originWorld, body.frame.framedFromLocal, input.edges);
+        gatherRays(input, body);
     }
 
     Fit best()
@@ -120,29 +160,23 @@ private:
 
     Fit leastArea() const { return fitted(body_, RectangleKind::LeastArea); }
 
-    std::optional<MapQuestion> question()
-    {
-        const std::span<const Vec3d> corners = raysOf(body_, scratch_);
-        if (scratch_.all.isEmpty() || corners.size() < 3) return std::nullopt;
-        return MapQuestion{choice_.metric, scratch_.all, corners, input_.mapAspect, choice_.hasShear, scratch_};
-    }
-
     Fit fittedTo(const FoundMap& map) const
     {
         if (!std::isfinite(map.energy)) return leastArea();
-        return fittedIn(map.map).value_or(leastArea());
+        const auto fit = fittedIn(map.map);
+        return fit ? *fit : leastArea();
     }
 
     Fit descended()
     {
-        const auto asked = question();
+        const auto asked = questionOf(input_, choice_, body_);
         return asked ? fittedTo(descend(*asked, {0, 0, 1}, {choice_.iterations, kPaperAngles})) : leastArea();
     }
 
     // None of the cheap fits is better.
     Fit bestOfAll()
     {
-        const auto asked = question();
+        const auto asked = questionOf(input_, choice_, body_);
         if (!asked) return leastArea();
         Fit best = fittedTo(searchWidely(*asked));
         double energy = energyOf(best);
@@ -155,15 +189,25 @@ private:
         return best;
     }
 
+    // Of one lixel, as wide against its height as the map's are.
+    std::optional<PlaneWarp> rowsOf(const Fit& fit) const
+    {
+        auto rows = planeWarpOf(body_.frame, fit.lightClipFromLocal);
+        if (!rows) return std::nullopt;
+        const double width = std::sqrt(input_.mapAspect);
+        rows->x = width * rows->x, rows->y = (1 / width) * rows->y;
+        return rows;
+    }
+
     double energyOf(const Fit& fit) const
     {
-        const auto rows = planeWarpOf(body_.frame, fit.lightClipFromLocal);
+        const auto rows = rowsOf(fit);
         return rows ? lixelEnergy(choice_.metric, scratch_.all, *rows) : std::numeric_limits<double>::infinity();
     }
 
     double medianBadness(const Fit& fit)
     {
-        const auto rows = planeWarpOf(body_.frame, fit.lightClipFromLocal);
+        const auto rows = rowsOf(fit);
         if (!rows || scratch_.all.isEmpty()) return std::numeric_limits<double>::infinity();
         badnesses(scratch_.all, *rows, scratch_.values);
         const auto middle = scratch_.values.begin() + std::ptrdiff_t(scratch_.values.size() / 2);
@@ -189,21 +233,19 @@ private:
 
 } // namespace
 
+Expected<SceneQuestion, FitFailure> sceneQuestion(const FitInput& input, const SceneOptimalFit& choice)
+{
+    const auto body = bodyOf(input, choice);
+    if (!body) return Unexpected{body.error()};
+    gatherRays(input, *body);
+    return SceneQuestion{body->frame, questionOf(input, choice, *body)};
+}
+
 FitResult fitSceneOptimal(const FitInput& input, const SceneOptimalFit& choice)
 {
-    if (input.sceneLocal.isEmpty()) return Unexpected{FitFailure::EmptyScene};
-    if (!input.hasViewSamples) return Unexpected{FitFailure::NoViewSamples};
-    if (input.seenLocal.empty()) return Unexpected{FitFailure::NothingInView};
-    FitScratch& scratch = input.scratch;
-    const bool isOfSome = choice.extent == MapExtent::Shadows && !input.shadowsLocal.empty();
-    const std::span<const Vec3d> points = isOfSome ? input.shadowsLocal : input.seenLocal;
-    const auto found = frameAround(input, points);
-    if (!found) return Unexpected{found.error()};
-    // Corners stay where they are while other fits are tried.
-    scratch.scene.bodyCorners.assign(found->corners.begin(), found->corners.end());
-    const FramedBody body{found->frame, points, scratch.scene.bodyCorners};
-    const bool isScaled = choice.search == MapSearchKind::Wide || !body.frame.isPerspective;
-    return SceneFit(input, choice, isScaled ? scaled(body, scratch).value_or(body) : body, isOfSome).best();
+    const auto body = bodyOf(input, choice);
+    if (!body) return Unexpected{body.error()};
+    return SceneFit(input, choice, *body, holdsSomeOnly(input, choice)).best();
 }
 
 } // namespace lixel

@@ -3,6 +3,7 @@
 
 #include "lixel/plan/fit/fit.h"
 #include "lixel/plan/fit/lixel_energy.h"
+#include "lixel/plan/fit/map_search.h"
 
 namespace lixel {
 
@@ -47,6 +48,15 @@ struct SceneOptimalFit
 //   Differs  parallel light has its place across the light, scaled to [-1, 1], for a direction (the paper leaves it out); the metric is a
 //            parameter, and the paper's is not the default; so is the search, whose default is not the paper's
 FitResult fitSceneOptimal(const FitInput& input, const SceneOptimalFit& choice);
+
+// What the search of an input is asked, in a frame of its light; all of it lies in the input's scratch and in the frame's light plane.
+// Nothing where no sample says anything, or where all is in line.
+struct SceneQuestion
+{
+    LightFrame frame;
+    std::optional<MapQuestion> map;
+};
+Expected<SceneQuestion, FitFailure> sceneQuestion(const FitInput& input, const SceneOptimalFit& choice);
 
 // The light image's rows in a frame of its light, of one lixel: what energies are asked of. Nothing of frames without extent.
 std::optional<PlaneWarp> planeWarpOf(const LightFrame& frame, const Mat4d& lightClipFromLocal);

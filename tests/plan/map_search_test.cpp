@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/fit/map_search.h"
+
+#include "lixel/plan/fit/exhaustive_search.h"
+#include "plan/edge_scenes.h"
+#include "plan/search_cases.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace lixel {
+namespace {
+
+using namespace test;
+
+// A rectangle of least area around the hull, one side on a side of it, by nothing but its definition. Shear is left out.
+PlaneWarp leastRectangle(const std::vector<Vec3d>& corners, double aspect, Vec3d axis)
+{
+    const Vec3d w = normalized(axis), e1 = anyPerpendicular(w), e2 = cross(w, e1);
+    std::vector<Vec2d> image;
+    for (const Vec3d& r : corners) image.push_back((1 / dot(w, r)) * Vec2d{dot(e1, r), dot(e2, r)});
+    double least = INFINITY, shortest = INFINITY;
+    PlaneWarp best;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const Vec2d side = image[(i + 1) % image.size()] - image[i], a = (1 / length(side)) * side, b{-a.y, a.x};
+        double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
+        for (const Vec2d& p : image) {
+            left = std::min(left, dot(a, p)), right = std::max(right, dot(a, p));
+            low = std::min(low, dot(b, p)), high = std::max(high, dot(b, p));
+        }
+        // Around one triangle of corners rectangles are equally large; then the one with the smaller perimeter.
+        const double area = (right - left) * (high - low), perimeter = right - left + high - low;
+        if (area > least * (1 + 1e-9) || (area > least * (1 - 1e-9) && perimeter > shortest * (1 - 1e-9))) continue;
+        least = area, shortest = perimeter;
+        const auto row = [&](Vec2d along, double from, double to) {
+            return (1 / (to - from)) * (along.x * e1 + along.y * e2 - 0.5 * (from + to) * w);
+        };
+        best = {row(a, left, right), row(b, low, high), w};
+        // The longer side to the side with more lixels.
+        if ((right - left < high - low) != (aspect < 1)) best = {row(b, low, high), -row(a, left, right), w};
+    }
+    best.x = std::sqrt(aspect) * best.x, best.y = (1 / std::sqrt(aspect)) * best.y;
+    return best;
+}
+
+bool areBefore(const std::vector<Vec3d>& corners, Vec3d w)
+{
+    double least = INFINITY, most = 0;
+    for (const Vec3d& r : corners) least = std::min(least, dot(w, r)), most = std::max(most, dot(w, r));
+    return least > 1e-4 * most;
+}
+
+// Algorithm 1, step 4, line by line; h and its gradient by central differences of h.
+FoundMap algorithm1(SearchCase& c, LixelMetric metric, double aspect)
+{
+    const auto h = [&](const PlaneWarp& P) { return lixelEnergy(metric, c.rays, P); };
+    Vec3d p4{0, 0, 1};
+    FoundMap optimal{leastRectangle(c.corners, aspect, p4), 0};
+    optimal.energy = h(optimal.map);
+    PlaneWarp P = optimal.map;
+    for (int k = 0; k < 3; ++k) {
+        // a. the gradient, what of it is at right angles to p4, and the axis of rotation
+        Vec3d gradient;
+        for (const Vec3d e : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
+            constexpr double step = 1e-6;
+            PlaneWarp before = P, after = P;
+            before.w = P.w - step * e, after.w = P.w + step * e;
+            gradient = gradient + ((h(after) - h(before)) / (2 * step)) * e;
+        }
+        const Vec3d about = normalized(cross(p4, -gradient));
+        // b. each candidate angle, by Rodrigues' formula
+        FoundMap step{{}, INFINITY};
+        Vec3d stepTo;
+        for (const double degrees : {-10, 3, 5, 9, 16, 23, 30, 40, 50}) {
+            const double angle = degrees * std::numbers::pi / 180;
+            const Vec3d turned = std::cos(angle) * p4 + std::sin(angle) * cross(about, p4) +
+                                 (1 - std::cos(angle)) * dot(about, p4) * about;
+            if (!areBefore(c.corners, turned)) continue;
+            const PlaneWarp candidate = leastRectangle(c.corners, aspect, turned);
+            const double energy = h(candidate);
+            if (energy < optimal.energy) optimal = {candidate, energy};
+            if (energy < step.energy) step = {candidate, energy}, stepTo = normalized(turned);
+        }
+        if (!(step.energy < INFINITY)) break;
+        P = step.map, p4 = stepTo;
+    }
+    return optimal;
+}
+
+TEST(MapSearch, DescentIsAlgorithm1)
+{
+    int tried = 0;
+    forEachCase(60, [&](Rng& rng) {
+        SearchCase c;
+        if (!c.make(rng, 48, 36)) return;
+        const double aspect = rng.chance(0.5) ? 1 : rng.logUniform(0.3, 3);
+        for (const LixelMetric metric : kAllMetrics) {
+            const FoundMap expected = algorithm1(c, metric, aspect),
+                           found = descend(c.question(metric, aspect), {0, 0, 1});
+            EXPECT_NEAR(found.energy, expected.energy, 1e-4 * expected.energy) << nameOf(metric);
+            EXPECT_NEAR(lixelEnergy(metric, c.rays, found.map), found.energy, 1e-12 * found.energy);
+        }
+        ++tried;
+    });
+    EXPECT_GT(tried, 20);
+}
+
+// Best so far: more iterations are never worse, none are the start, and no angle makes it worse.
+TEST(MapSearch, DescentNeverClimbs)
+{
+    forEachCase(60, [](Rng& rng) {
+        SearchCase c;
+        if (!c.make(rng, 48, 36)) return;
+        for (const LixelMetric metric : kAllMetrics) {
+            const MapQuestion question = c.question(metric, 1, rng.chance(0.5));
+            double before = leastAreaMap(question, {0, 0, 1}).energy;
+            EXPECT_EQ(descend(question, {0, 0, 1}, {0}).energy, before);
+            for (int k = 1; k < 6; ++k) {
+                const double now = descend(question, {0, 0, 1}, {k}).energy;
+                EXPECT_LE(now, before);
+                before = now;
+            }
+        }
+    });
+}
+
+TEST(MapSearch, MapsHoldTheHull)
+{
+    forEachCase(60, [](Rng& rng) {
+        SearchCase c;
+        if (!c.make(rng, 48, 36)) return;
+        const double aspect = rng.chance(0.5) ? 1 : rng.logUniform(0.3, 3);
+        for (const LixelMetric metric : kAllMetrics) {
+            const MapQuestion question = c.question(metric, aspect, rng.chance(0.5));
+            for (const FoundMap& found : {searchWidely(question), descend(question, {0, 0, 1})}) {
+                EXPECT_NEAR(lixelEnergy(metric, c.rays, found.map), found.energy, 1e-9 * found.energy);
+                for (const Vec3d& r : c.corners) {
+                    EXPECT_LE(std::abs(dot(found.map.x, r)),
+                              0.5 * std::sqrt(aspect) * dot(found.map.w, r) * (1 + 1e-9));
+                    EXPECT_LE(std::abs(dot(found.map.y, r)),
+                              0.5 / std::sqrt(aspect) * dot(found.map.w, r) * (1 + 1e-9));
+                }
+            }
+        }
+    });
+}
+
+struct Against
+{
+    const char* name;
+    double aspect;
+    bool hasShear;
+};
+
+class WideSearch : public testing::TestWithParam<std::tuple<LixelMetric, Against>>
+{
+};
+
+// Of random scenes, with every rectangle of 2000 axes, and the best 20 refined, all by all samples.
+TEST_P(WideSearch, IsWithin2PercentOfEveryAxisOn95OfAHundred)
+{
+    const auto [metric, against] = GetParam();
+    int tried = 0, within = 0;
+    double worst = 0;
+    forEachCase(24, [&, metric = metric, against = against](Rng& rng) {
+        SearchCase c;
+        if (!c.make(rng, 36, 27)) return;
+        const MapQuestion question = c.question(metric, against.aspect, against.hasShear);
+        const double found = searchWidely(question).energy, best = searchExhaustively(question).energy;
+        ++tried;
+        if (found <= 1.02 * best) ++within;
+        worst = std::max(worst, found / best);
+    });
+    std::printf("%d of %d within 2 %%, worst ratio %.3f\n", within, tried, worst);
+    RecordProperty("within", within);
+    RecordProperty("tried", tried);
+    EXPECT_GT(tried, std::getenv("LIXEL_SEED") ? 0 : 12);
+    EXPECT_GE(within, 0.95 * tried);
+}
+
+INSTANTIATE_TEST_SUITE_P(Metrics, WideSearch,
+                         testing::Combine(testing::ValuesIn(kAllMetrics),
+                                          testing::Values(Against{"square", 1, false}, Against{"long", 2.5, false},
+                                                          Against{"sheared", 1, true})),
+                         [](const auto& at) {
+                             return std::string(nameOf(std::get<0>(at.param))) + "_" + std::get<1>(at.param).name;
+                         });
+
+} // namespace
+} // namespace lixel
