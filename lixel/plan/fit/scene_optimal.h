@@ -27,7 +27,7 @@ struct SceneOptimalFit
     int iterations = 3; // of the descent
     bool hasShear = false;
     double slack = 0.02;               // the rectangle is larger by this part, where only some receivers are known
-    double awayFromBoundaries = 0.002; // weight of samples there, against 1
+    double awayFromBoundaries = 0; // weight of samples there, against 1
     int samples = 180;                 // of an observation's grid, each way
     double keep = 0.8; // of an earlier map's median badness: a new one takes its place below that; none: infinite
     int update = 3;    // a new one is looked for every so many frames
