@@ -22,6 +22,14 @@ struct Light
     Vec3d colour{1, 1, 1};                                  // of the picture only; brightest lit surface about 1
 };
 
+// The light's place, w = 1, or the way its light travels, w = 0.
+inline Vec4d homogeneousWorld(const Light& light)
+{
+    const bool isDirectional = light.kind == LightKind::Directional;
+    const Vec3d v = isDirectional ? light.directionWorld : light.positionWorld;
+    return {v.x, v.y, v.z, isDirectional ? 0.0 : 1.0};
+}
+
 // Unit vector from a point towards the light.
 inline Vec3d towardsLight(const Light& light, Vec3d originWorld, Vec3d pointLocal)
 {

@@ -126,10 +126,21 @@ LightPlanner::LightPlanner(const PlanInput& input, std::size_t number, const Box
     gatherNeedSamples(source, light, input.originWorld, scratch.boundaryDirections, scratch.need);
     fitInput_.seenIsAll = input.seenIsAll;
     fitInput_.mapAspect = double(input.lixels.width) / input.lixels.height;
-    if (const SceneOptimalFit* fit = sceneOptimalOf(input.technique))
-        gatherNeedSamples(source, light, input.originWorld, scratch.boundaryDirections, scratch.scene.edges,
-                          {kMostEdges, kMostEdges, fit->awayFromBoundaries, true});
-    gatherShadows(source, light, input.originWorld, scratch.scene.shadowsLocal);
+    if (const SceneOptimalFit* fit = sceneOptimalOf(input.technique)) {
+        gatherShadows(source, light, input.originWorld, scratch.scene.shadowsLocal);
+        scratch.scene.edges.clear();
+        if (isNewMapDue(*fit))
+            gatherNeedSamples(source, light, input.originWorld, scratch.boundaryDirections, scratch.scene.edges,
+                              {kMostEdges, kMostEdges, fit->awayFromBoundaries, true});
+    }
+}
+
+// Whether some map is to be looked for, and not only kept.
+bool LightPlanner::isNewMapDue(const SceneOptimalFit& fit) const
+{
+    if (number_ >= input_.before.size() || input_.before[number_].maps.empty()) return true;
+    const std::vector<RememberedMap>& maps = input_.before[number_].maps;
+    return std::any_of(maps.begin(), maps.end(), [&](const RememberedMap& map) { return isNewMapDueAfter(map, fit); });
 }
 
 std::optional<FitFailure> LightPlanner::choose(ShadowPlan& out)
@@ -450,10 +461,15 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
     for (std::size_t i = 0; i < candidates_.size(); ++i)
         regions.push_back({place(candidates_[i].fit, pieces[i], lookup, input_.originWorld,
                                  areTurned ? std::optional(turned[i]) : std::nullopt),
-                           pieces[i], candidates_[i].halfSpacesLocal,
-                           i + 1 < candidates_.size() ? guardBand(pieces[i], lookup) : Vec2d{}, candidates_[i].plane,
+                           pieces[i],
+                           candidates_[i].halfSpacesLocal,
+                           i + 1 < candidates_.size() ? guardBand(pieces[i], lookup) : Vec2d{},
+                           candidates_[i].plane,
                            needsDouble(candidates_[i].fit, pieces[i].width(), pieces[i].height()),
-                           candidates_[i].fit.pixels, candidates_[i].pixelPlaneLocal, candidates_[i].fit.framesKept});
+                           candidates_[i].fit.pixels,
+                           candidates_[i].pixelPlaneLocal,
+                           {candidates_[i].fit.lightClipFromLocal, homogeneousWorld(fitInput_.light),
+                            candidates_[i].fit.framesKept}});
     return true;
 }
 

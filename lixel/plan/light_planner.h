@@ -46,6 +46,7 @@ private:
     std::optional<FitFailure> add(const Cell& cell, const FitChoice& fit);
     Candidate* serving(Vec3d pointLocal, double rounding = 0);
     bool keepUnserved();
+    bool isNewMapDue(const SceneOptimalFit& fit) const;
     void gatherEdgesIn(const CellPlanes& cell);
     void findNeeds();
     void findUnservedRays();

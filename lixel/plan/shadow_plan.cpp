@@ -84,8 +84,7 @@ std::vector<LightMemory> rememberedBy(const FramePlan& plan)
                                                [&](const PlannedRegion& region) { return region.plane == int(i); });
             memory.planes.push_back({light.foundPlanes[i].planeLocal, hadRegion});
         }
-        for (const PlannedRegion& region : light.regions)
-            memory.maps.push_back({region.lightClipFromLocal, region.framesKept});
+        for (const PlannedRegion& region : light.regions) memory.maps.push_back(region.fit);
     }
     return out;
 }

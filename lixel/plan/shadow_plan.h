@@ -83,7 +83,7 @@ struct PlannedRegion
     bool isInDouble = false;         // floats of the matrix would move its lixels visibly
     std::optional<PixelRectangle> pixels = {}; // of a map with a lixel a pixel: those, its guard band not among them
     std::optional<Plane> pixelPlaneLocal = {}; // of such a map: the plane, its unit normal towards the light
-    int framesKept = 0; // of a map made from samples (scene_optimal.h): since it was last asked for anew
+    RememberedMap fit = {};                    // that was placed here, for the next frame
 };
 
 // What was decided for one light.

@@ -80,7 +80,7 @@ inline Observation anyObservation(const RandomSetup& setup, const ViewSamples& s
 // Of a light and a scene that have nothing to do with those of now.
 inline RememberedMap anyMap(Rng& rng)
 {
-    RememberedMap map{{}, rng.integer(0, 4)};
+    RememberedMap map{{}, {}, rng.integer(0, 4)};
     for (int row = 0; row < 4; ++row)
         map.lightClipFromLocal.setRow(row,
                                       {rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)});
@@ -133,7 +133,7 @@ inline constexpr const char* kSceneTechniques[] = {"scene-optimal",
                                                    "scene-optimal(metric=lloyd,update=1,weight=0)+else(cube)",
                                                    "scene-optimal(metric=area,keep=none)+else(lispsm)+pcf(9)",
                                                    "pssm(3)+scene-optimal",
-                                                   "cube+scene-optimal(uncovered=lit)",
+                                                   "cube+scene-optimal+else(cube)",
                                                    "planes(a)+scene-optimal"};
 
 // Whether more is asked than a view, a light and boxes.

@@ -110,11 +110,12 @@ struct PixelRectangle
     friend bool operator==(const PixelRectangle&, const PixelRectangle&) = default;
 };
 
-// A region's map of the frame before, and how many frames it has been kept as it was.
+// A region's fit of the frame before.
 struct RememberedMap
 {
-    Mat4d lightClipFromLocal;
-    int framesKept = 0;
+    Mat4d lightClipFromLocal; // before it was placed
+    Vec4d lightWorld;         // homogeneousWorld()
+    int framesKept = 0;       // Fit::framesKept
 };
 
 struct FramedBody; // light_frame.h
@@ -155,7 +156,7 @@ struct Fit
     std::optional<Plane> narrowedToLocal =
         {}; // receivers outside are too near to the light for this map: the next region's
 
-    int framesKept = 0; // how long it has had this very shape, of what FitInput::before had
+    int framesKept = 0; // since it was last asked for anew, of what FitInput::before had
 
     std::optional<PixelRectangle> pixels = {}; // the NDC square is this part of the picture, at a lixel a pixel
 

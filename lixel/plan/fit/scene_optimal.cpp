@@ -16,6 +16,9 @@
 namespace lixel {
 namespace {
 
+// An earlier map is kept as it is while the rectangle around what it must hold takes up this part of it.
+constexpr double kLeastTaken = 0.85;
+
 // An image smaller than this is one point.
 constexpr double kLeastImage = 1e-12;
 
@@ -108,14 +111,14 @@ public:
     SceneFit(const FitInput& input, const SceneOptimalFit& choice, const FramedBody& body, bool isOfSome)
         : input_(input), choice_(choice), scratch_(input.scratch.scene), body_(body), isOfSome_(isOfSome)
     {
-        gatherRays(input, body);
     }
 
     Fit best()
     {
         const RememberedMap* before = input_.before;
         const auto kept = before ? keptFrom(*before) : std::nullopt;
-        if (kept && before->framesKept + 1 < choice_.update) return *kept;
+        if (before && !isNewMapDueAfter(*before, choice_)) return kept ? *kept : untilNext();
+        gatherRays(input_, body_);
         Fit found = choice_.search == MapSearchKind::Wide ? bestOfAll() : descended();
         if (!kept || medianBadness(found) < choice_.keep * medianBadness(*kept)) return found;
         Fit out = *kept;
@@ -215,12 +218,40 @@ private:
         return *middle;
     }
 
-    // An earlier map with the scale and shift that hold what is seen now. Nothing where it cannot.
+    // An earlier map as it is, if it still holds what it must, or with the scale and shift that do. Nothing where it cannot.
     std::optional<Fit> keptFrom(const RememberedMap& before) const
     {
-        const auto rows = planeWarpOf(body_.frame, before.lightClipFromLocal);
-        auto fit = rows ? fittedIn(*rows) : std::nullopt;
+        Fit asItIs{before.lightClipFromLocal};
+        asItIs.isOfSamples = true;
+        const bool isLightStill = before.lightWorld == homogeneousWorld(input_.light);
+        std::optional<Fit> fit = isLightStill && holdsTightly(asItIs) ? std::optional(asItIs) : std::nullopt;
+        if (!fit)
+            if (const auto rows = planeWarpOf(body_.frame, before.lightClipFromLocal)) fit = fittedIn(*rows);
         if (fit) fit->framesKept = before.framesKept + 1;
+        return fit;
+    }
+
+    // Whether the body is inside and takes up all but a little of the map.
+    bool holdsTightly(const Fit& fit) const
+    {
+        Vec2d low{1, 1}, high{-1, -1};
+        for (const Vec3d& p : body_.points) {
+            const Vec4d c = fit.lightClipFromLocal * point(p);
+            if (!(c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z <= c.w)) return false;
+            const double x = c.x / c.w, y = c.y / c.w;
+            low = {std::min(low.x, x), std::min(low.y, y)};
+            high = {std::max(high.x, x), std::max(high.y, y)};
+        }
+        const double taken = 0.25 * (high.x - low.x) * (high.y - low.y),
+                     room = (1 + choice_.slack) * (1 + choice_.slack);
+        return taken * room > kLeastTaken;
+    }
+
+    // What holds all, where an earlier map no longer can: the next frame looks for a better one.
+    Fit untilNext() const
+    {
+        Fit fit = leastArea();
+        fit.framesKept = choice_.update;
         return fit;
     }
 

@@ -26,9 +26,9 @@ struct SceneOptimalFit
     MapExtent extent = MapExtent::Shadows;
     int iterations = 3; // of the descent
     bool hasShear = false;
-    double slack = 0.02;               // the rectangle is larger by this part, where only some receivers are known
+    double slack = 0.02;           // the rectangle is larger by this part, where only some receivers are known
     double awayFromBoundaries = 0; // weight of samples there, against 1
-    int samples = 180;                 // of an observation's grid, each way
+    int samples = 180;             // of an observation's grid, each way
     double keep = 0.8; // of an earlier map's median badness: a new one takes its place below that; none: infinite
     int update = 3;    // a new one is looked for every so many frames
     bool uncoveredIsLit = false; // as the paper's single map: nothing serves what falls out
@@ -42,12 +42,18 @@ struct SceneOptimalFit
 //
 //   Needs    view samples, and those of them near shadow boundaries: without any, the rectangle of least area
 //   Returns  never a worse map, by its own metric, than desired-view(rotated), lispsm, psm and tsm give (search=wide)
-//   Before   FitInput::before is kept, with the scale and shift that hold the samples of now, until a new map's median badness is
-//            clearly below its (section 2.3, step 5)
+//   Before   FitInput::before is kept until a new map's median badness is clearly below its (section 2.3, step 5): as it is while
+//            it holds what it must with little to spare, else with the scale and shift that do
 //   Refuses  EmptyScene, NoViewSamples, NothingInView, ExtentNotInHemisphere
 //   Differs  parallel light has its place across the light, scaled to [-1, 1], for a direction (the paper leaves it out); the metric is a
 //            parameter, and the paper's is not the default; so is the search, whose default is not the paper's
 FitResult fitSceneOptimal(const FitInput& input, const SceneOptimalFit& choice);
+
+// Whether the fit looks for a new map after this one; until then it needs no FitInput::edges.
+inline bool isNewMapDueAfter(const RememberedMap& before, const SceneOptimalFit& choice)
+{
+    return before.framesKept + 1 >= choice.update;
+}
 
 // What the search of an input is asked, in a frame of its light; all of it lies in the input's scratch and in the frame's light plane.
 // Nothing where no sample says anything, or where all is in line.
