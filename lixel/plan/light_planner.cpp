@@ -469,7 +469,7 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
                            candidates_[i].fit.pixels,
                            candidates_[i].pixelPlaneLocal,
                            {candidates_[i].fit.lightClipFromLocal, homogeneousWorld(fitInput_.light),
-                            candidates_[i].fit.framesKept}});
+                            candidates_[i].fit.framesKept, candidates_[i].fit.rounding}});
     return true;
 }
 

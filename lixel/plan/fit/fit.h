@@ -115,7 +115,8 @@ struct RememberedMap
 {
     Mat4d lightClipFromLocal; // before it was placed
     Vec4d lightWorld;         // homogeneousWorld()
-    int framesKept = 0;       // Fit::framesKept
+    int framesKept = 0;       // Fit's
+    double rounding = 0;      // Fit's
 };
 
 struct FramedBody; // light_frame.h

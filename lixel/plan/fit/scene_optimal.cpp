@@ -133,6 +133,7 @@ private:
         if (!input_.seenIsAll || isOfSome_) rectangle.halfSize = (1 + choice_.slack) * rectangle.halfSize;
         Fit fit = fitRectangle(framed.frame, rectangle, farthestInside(framed, rectangle), input_);
         fit.isOfSamples = true;
+        fit.rounding = floatRounding(framed, rectangle);
         return fit;
     }
 
@@ -223,6 +224,7 @@ private:
     {
         Fit asItIs{before.lightClipFromLocal};
         asItIs.isOfSamples = true;
+        asItIs.rounding = before.rounding;
         const bool isLightStill = before.lightWorld == homogeneousWorld(input_.light);
         std::optional<Fit> fit = isLightStill && holdsTightly(asItIs) ? std::optional(asItIs) : std::nullopt;
         if (!fit)
