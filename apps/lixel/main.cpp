@@ -45,8 +45,10 @@ int fail(int code, const std::string& message)
 // The options' own messages leave open what the first word should have been.
 std::string usageMessage(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv)
 {
-    const auto chosen = app.get_subcommands();
-    if (!chosen.empty()) return fmt::format("{} (lixel {} --help)", error.what(), chosen.front()->get_name());
+    std::string chosen;
+    for (auto at = app.get_subcommands(); !at.empty(); at = at.front()->get_subcommands())
+        chosen += at.front()->get_name() + " ";
+    if (!chosen.empty()) return fmt::format("{} (lixel {}--help)", error.what(), chosen);
     std::string known;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         known += (known.empty() ? "" : ", ") + command->get_name();

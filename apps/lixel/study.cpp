@@ -9,50 +9,88 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-// `lixel study`: questions about the techniques themselves.
+// `lixel study`: questions about the techniques themselves. Each is a command of its own, with the options that it takes.
 namespace lixel::app {
 namespace {
 
-int runStudy(const std::string& name, const StudyOptions& options)
+constexpr int kMostLights = 100'000;
+
+struct StudyCommand
 {
-    if (name.empty()) {
-        for (const Study& study : studies()) fmt::print("{}\n  {}\n", study.name, study.question);
-        return kDone;
+    const Study& study;
+    CLI::App* app = nullptr;
+    std::shared_ptr<StudyOptions> options;
+};
+
+void addOptions(CLI::App& app, const Study& study, StudyOptions& o)
+{
+    if (study.cases == StudiedCases::Scene) {
+        addPictureOptions(app, o.picture);
+        app.add_option("--tolerance", o.tolerance, "misclassified percent that a map may have: 0.5% or 0.5")
+            ->required();
+        app.add_option("--technique", o.technique, "whose maps (lixel techniques)")->capture_default_str();
+    } else {
+        if (study.cases == StudiedCases::Lights)
+            app.add_option("--lights", o.count, "how many lights")->check(CLI::Range(1, kMostLights));
+        else app.add_option("--count", o.count, "how many cases")->check(CLI::Range(1, 100000000));
+        app.add_flag("--quick", o.isQuick, "fewer cases, the same question");
+        app.add_option("--seed", o.seed, "of everything random")->check(wholeNumber())->capture_default_str();
     }
+    app.add_option("--executor", o.executor, "gl or trace")
+        ->check(CLI::IsMember({"gl", "trace"}))
+        ->capture_default_str();
+    if (study.hasReport) app.add_option("-o,--output", o.output, "folder for results.json and report.html");
+    app.add_option("--json", o.json, "what was found as JSON to this file, or - for standard output");
+}
+
+int runStudy(const StudyCommand& command)
+{
+    const StudyOptions& options = *command.options;
+    if (options.output == "-") throw UsageError("study -o -: expected the name of a folder");
+    std::optional<ReportFolder> report;
+    if (!options.output.empty()) report.emplace(options.output, false);
+    if (!options.json.empty()) expectWritable(options.json);
+    return command.study.run(options);
+}
+
+int listOrRefuse(const std::string& name)
+{
     std::string known;
     for (const Study& study : studies()) {
-        if (study.name == name) {
-            if (!options.output.empty() && !study.hasReport)
-                throw UsageError(fmt::format("study {} -o: it has no report, --json tells what it finds", name));
-            if (options.output == "-") throw UsageError("study -o -: expected the name of a folder");
-            std::optional<ReportFolder> report;
-            if (!options.output.empty()) report.emplace(options.output, false);
-            if (!options.json.empty()) expectWritable(options.json);
-            return study.run(options);
-        }
+        if (name.empty()) fmt::print("{}\n  {}\n", study.name, study.question);
         known += fmt::format("{}{}", known.empty() ? "" : ", ", study.name);
     }
-    throw UsageError(fmt::format("study \"{}\": no such study (known: {})", name, known));
+    if (!name.empty()) throw UsageError(fmt::format("study \"{}\": no such study (known: {})", name, known));
+    return kDone;
 }
 
 } // namespace
 
 std::span<const Study> studies()
 {
-    static const std::array<Study, 3> kAll{{
+    static const std::array<Study, 6> kAll{{
         {"one-to-one",
          "How far from the pixel that sees a point of the plane is the lixel that samples it, in plane-optimal maps?",
-         false, studyOneToOne},
+         StudiedCases::Counted, false, studyOneToOne},
         {"plane-budget",
          "How does error fall with the lixels of maps for planes, on planes and off them, and where is there none?",
-         true, studyPlaneBudget},
+         StudiedCases::Counted, true, studyPlaneBudget},
+        {"resolution",
+         "How small may the maps of a scene's lights be for errors under a tolerance, and how small focused ones?",
+         StudiedCases::Scene, false, studyResolution},
+        {"scene-optimal-metrics", "Which metric of scene-optimal predicts the measured errors of maps best?",
+         StudiedCases::Lights, false, studySceneOptimalMetrics},
         {"scene-optimal-search",
-         "How near are the light images that scene-optimal finds to the best of very many, by each metric?", false,
-         studySceneOptimalSearch},
+         "How near are the light images that scene-optimal finds to the best of very many, by each metric?",
+         StudiedCases::Counted, false, studySceneOptimalSearch},
+        {"scene-optimal-sensitivity", "How do the errors of scene-optimal change with each of its parameters?",
+         StudiedCases::Lights, false, studySceneOptimalSensitivity},
     }};
     return kAll;
 }
@@ -60,19 +98,22 @@ std::span<const Study> studies()
 Command addStudy(CLI::App& parent, const std::string& commandLine)
 {
     auto name = std::make_shared<std::string>();
-    auto o = std::make_shared<StudyOptions>();
-    o->commandLine = commandLine;
+    auto commands = std::make_shared<std::vector<StudyCommand>>();
     CLI::App* app = parent.add_subcommand("study", "questions about the techniques; without a name, the list of them");
-    app->add_option("NAME", *name, "which");
-    app->add_option("--count", o->count, "how many cases")->check(CLI::Range(1, 100000000));
-    app->add_flag("--quick", o->isQuick, "fewer cases, the same question");
-    app->add_option("--seed", o->seed, "of everything random")->check(wholeNumber())->capture_default_str();
-    app->add_option("--executor", o->executor, "gl or trace")
-        ->check(CLI::IsMember({"gl", "trace"}))
-        ->capture_default_str();
-    app->add_option("-o,--output", o->output, "folder for results.json and report.html");
-    app->add_option("--json", o->json, "what was found as JSON to this file, or - for standard output");
-    return {app, [name, o] { return runStudy(*name, *o); }};
+    app->require_subcommand(0, 1);
+    app->add_option("NAME", *name)->group(""); // what is the name of no study
+    for (const Study& study : studies()) {
+        auto options = std::make_shared<StudyOptions>();
+        options->commandLine = commandLine;
+        CLI::App* own = app->add_subcommand(study.name, study.question);
+        addOptions(*own, study, *options);
+        commands->push_back({study, own, std::move(options)});
+    }
+    return {app, [name, commands] {
+                for (const StudyCommand& command : *commands)
+                    if (command.app->parsed()) return runStudy(command);
+                return listOrRefuse(*name);
+            }};
 }
 
 } // namespace lixel::app

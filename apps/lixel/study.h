@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "picture_options.h"
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -9,13 +11,24 @@ namespace lixel::app {
 
 struct StudyOptions
 {
-    int count = 0;        // of cases; 0: the study's own
+    int count = 0;        // of cases or lights; 0: the study's own
     bool isQuick = false; // fewer cases, the same question
     std::uint64_t seed = 2004;
     std::string executor = "gl";
     std::string json;        // where to, or empty
     std::string output;      // folder for results.json and report.html, or empty
     std::string commandLine; // repeats the run
+
+    // Of studies of a scene.
+    PictureOptions picture;
+    std::string tolerance, technique = "scene-optimal";
+};
+
+// What a study is asked of; its options follow from that.
+enum class StudiedCases : std::uint8_t {
+    Counted, // --count, --quick, --seed
+    Lights,  // --lights, --quick, --seed
+    Scene    // SCENE and what chooses its pictures, --tolerance, --technique
 };
 
 // A question about lixel's own techniques that a table of pictures does not answer. Its run prints what it finds, writes JSON where it is
@@ -23,6 +36,7 @@ struct StudyOptions
 struct Study
 {
     std::string name, question;
+    StudiedCases cases = StudiedCases::Counted;
     bool hasReport = false; // goes into StudyOptions::output
     int (*run)(const StudyOptions& options);
 };
@@ -33,5 +47,8 @@ std::span<const Study> studies();
 int studyOneToOne(const StudyOptions& options);
 int studyPlaneBudget(const StudyOptions& options);
 int studySceneOptimalSearch(const StudyOptions& options);
+int studyResolution(const StudyOptions& options);
+int studySceneOptimalSensitivity(const StudyOptions& options);
+int studySceneOptimalMetrics(const StudyOptions& options);
 
 } // namespace lixel::app

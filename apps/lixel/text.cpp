@@ -62,6 +62,15 @@ std::string toString(const LixelBudget& budget)
     return text;
 }
 
+double readPercent(std::string_view text, std::string_view option)
+{
+    const bool hasSign = !text.empty() && text.back() == '%';
+    const auto percent = readNumber<double>(hasSign ? text.substr(0, text.size() - 1) : text);
+    if (!percent || !(*percent > 0 && *percent <= 100))
+        throw UsageError(fmt::format("{} \"{}\": expected a percentage above 0 and up to 100, as 0.5%", option, text));
+    return *percent;
+}
+
 Vec3d readVec3(std::string_view text, std::string_view option)
 {
     double values[3] = {};

@@ -25,6 +25,9 @@ struct LixelBudget
 LixelBudget readBudget(std::string_view text, std::string_view option, int most);
 std::string toString(const LixelBudget& budget);
 
+// "0.5%" or "0.5"; above 0, up to 100.
+double readPercent(std::string_view text, std::string_view option);
+
 // "1,2.5,-3".
 Vec3d readVec3(std::string_view text, std::string_view option);
 

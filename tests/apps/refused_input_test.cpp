@@ -93,7 +93,18 @@ TEST_F(RefusedInput, CommandsAndOptionsMustBeKnown)
     expectMention(refusal({"reproduce", "nothing"}, kBadUsage), "normal-against-focused");
     expectMention(refusal({"study", "nothing"}, kBadUsage), "one-to-one");
     expectMention(refusal({"study", "one-to-one", "--count", "0"}, kBadUsage), "--count");
-    expectMention(refusal({"study", "one-to-one", "-o", "out"}, kBadUsage), "no report");
+    expectMention(refusal({"study", "one-to-one", "-o", "out"}, kBadUsage), "-o");
+    expectMention(refusal({"study", "one-to-one", "--lights", "5"}, kBadUsage), "study one-to-one --help");
+    expectMention(refusal({"study", "scene-optimal-metrics", "objects"}, kBadUsage), "objects");
+    expectMention(refusal({"study", "resolution", "--tolerance", "1%"}, kBadUsage), "SCENE");
+    expectMention(refusal({"study", "resolution", "bunnies"}, kBadUsage), "--tolerance");
+    expectMention(refusal({"study", "resolution", "bunnies", "--tolerance", "1%", "--seed", "1"}, kBadUsage), "--seed");
+    for (const char* tolerance : {"much", "0", "-1%", "101%", "%", "nan"})
+        expectMention(refusal({"study", "resolution", "bunnies", "--tolerance", tolerance}, kBadUsage), "--tolerance");
+    expectMention(refusal({"study", "resolution", "bunnies", "--tolerance", "1", "--technique", "exact"}, kBadUsage),
+                  "has no map");
+    expectMention(refusal({"study", "resolution", "bunnies", "--tolerance", "1", "--technique", "psm,tsm"}, kBadUsage),
+                  "one technique");
     expectMention(refusal({"study", "plane-budget", "-o", "-"}, kBadUsage), "folder");
     expectMention(refusal({"reproduce", "lixel-fig7", "-o", "-"}, kBadUsage), "folder");
     expectMention(refusal({"reproduce", "normal-against-focused", "--seed", "-1"}, kBadUsage), "whole number");

@@ -7,7 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
 
 namespace lixel::test {
@@ -49,6 +52,62 @@ TEST(StudyCommand, SceneOptimalSearchComparesWithTheBestOfVeryManyAxes)
     const auto json = nlohmann::json::parse(result.out);
     EXPECT_EQ(json["cases"].size() + 4 * json["lights_left_out"].get<std::size_t>(), 8u);
     for (const auto& row : json["wide"]) EXPECT_LT(row["worst_ratio"].get<double>(), 1.1) << row;
+}
+
+// What is found holds what was asked for, in fewer lixels than focused maps take.
+TEST(StudyCommand, ResolutionFindsMapsThatHoldTheTolerance)
+{
+    const CommandResult result = runLixel({"study", "resolution", "bunnies", "--view", "close-up", "--size", "256x256",
+                                           "--tolerance", "1%", "--executor", "trace", "--json", "-"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(schemaError(result.out, "resolution.schema.json"), "");
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["tolerance_percent"], 1);
+    const auto& rows = json["rows"];
+    ASSERT_EQ(rows.size(), 2u);
+    for (const auto& row : rows) EXPECT_LE(row["misclassified_percent"].get<double>(), 1);
+    EXPECT_EQ(rows[1]["technique"], "focused");
+    EXPECT_LT(rows[0]["lixels"].get<int>(), rows[1]["lixels"].get<int>());
+}
+
+TEST(StudyCommand, ResolutionSaysWhereEvenTheLargestMapMissesTheTolerance)
+{
+    const CommandResult result = runLixel({"study", "resolution", "bunnies", "--view", "close-up", "--size", "64x64",
+                                           "--tolerance", "1e-9", "--technique", "focused", "--executor", "trace"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_NE(result.out.find("8192x8192, misses the tolerance"), std::string::npos) << result.out;
+}
+
+// By every parameter: each curve has what its technique has just once, and that is the same in all of them.
+TEST(StudyCommand, SceneOptimalSensitivityMeetsItsTechniqueInEveryCurve)
+{
+    const CommandResult result =
+        runLixel({"study", "scene-optimal-sensitivity", "--lights", "1", "--executor", "trace", "--json", "-"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(schemaError(result.out, "scene-optimal-sensitivity.schema.json"), "");
+    const auto json = nlohmann::json::parse(result.out);
+    std::map<std::string, std::set<std::int64_t>> own;
+    std::map<std::string, int> curves;
+    for (const auto& row : json["rows"]) {
+        if (!row["is_own"].get<bool>()) continue;
+        own[row["technique"]].insert(row["misclassified"].get<std::int64_t>());
+        ++curves[row["technique"]];
+    }
+    ASSERT_EQ(own.size(), 2u);
+    for (const auto& [technique, values] : own) EXPECT_EQ(values.size(), 1u) << technique;
+    EXPECT_EQ(curves["scene-optimal(uncovered=lit)"], 6);
+    EXPECT_EQ(curves["scene-optimal(metric=l2,search=paper,uncovered=lit)"], 8);
+}
+
+TEST(StudyCommand, SceneOptimalMetricsRanksEveryMetric)
+{
+    const CommandResult result =
+        runLixel({"study", "scene-optimal-metrics", "--lights", "3", "--executor", "trace", "--json", "-"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(schemaError(result.out, "scene-optimal-metrics.schema.json"), "");
+    const auto json = nlohmann::json::parse(result.out);
+    ASSERT_EQ(json["metrics"].size(), 4u);
+    for (const auto& metric : json["metrics"]) EXPECT_GT(metric["within_lights"].get<double>(), 0) << metric;
 }
 
 // On planes errors fall as lixels grow, and with a lixel a pixel there are next to none.

@@ -108,8 +108,14 @@ class SceneFit
 {
 public:
     // `isOfSome`: the body is not all that is seen.
-    SceneFit(const FitInput& input, const SceneOptimalFit& choice, const FramedBody& body, bool isOfSome)
-        : input_(input), choice_(choice), scratch_(input.scratch.scene), body_(body), isOfSome_(isOfSome)
+    SceneFit(const FitInput& input, const SceneOptimalFit& choice, std::span<const double> angles,
+             const FramedBody& body, bool isOfSome)
+        : input_(input),
+          choice_(choice),
+          angles_(angles),
+          scratch_(input.scratch.scene),
+          body_(body),
+          isOfSome_(isOfSome)
     {
     }
 
@@ -174,7 +180,7 @@ private:
     Fit descended()
     {
         const auto asked = questionOf(input_, choice_, body_);
-        return asked ? fittedTo(descend(*asked, {0, 0, 1}, {choice_.iterations, kPaperAngles})) : leastArea();
+        return asked ? fittedTo(descend(*asked, {0, 0, 1}, {choice_.iterations, angles_})) : leastArea();
     }
 
     // None of the cheap fits is better.
@@ -259,6 +265,7 @@ private:
 
     const FitInput& input_;
     const SceneOptimalFit& choice_;
+    std::span<const double> angles_;
     FitScratch::OfScene& scratch_;
     FramedBody body_;
     bool isOfSome_;
@@ -274,11 +281,11 @@ Expected<SceneQuestion, FitFailure> sceneQuestion(const FitInput& input, const S
     return SceneQuestion{body->frame, questionOf(input, choice, *body)};
 }
 
-FitResult fitSceneOptimal(const FitInput& input, const SceneOptimalFit& choice)
+FitResult fitSceneOptimal(const FitInput& input, const SceneOptimalFit& choice, std::span<const double> angles)
 {
     const auto body = bodyOf(input, choice);
     if (!body) return Unexpected{body.error()};
-    return SceneFit(input, choice, *body, holdsSomeOnly(input, choice)).best();
+    return SceneFit(input, choice, angles, *body, holdsSomeOnly(input, choice)).best();
 }
 
 } // namespace lixel

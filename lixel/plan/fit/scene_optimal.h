@@ -47,7 +47,9 @@ struct SceneOptimalFit
 //   Refuses  EmptyScene, NoViewSamples, NothingInView, ExtentNotInHemisphere
 //   Differs  parallel light has its place across the light, scaled to [-1, 1], for a direction (the paper leaves it out); the metric is a
 //            parameter, and the paper's is not the default; so is the search, whose default is not the paper's
-FitResult fitSceneOptimal(const FitInput& input, const SceneOptimalFit& choice);
+//   Angles   of the descent (search=paper)
+FitResult fitSceneOptimal(const FitInput& input, const SceneOptimalFit& choice,
+                          std::span<const double> angles = kPaperAngles);
 
 // Whether the fit looks for a new map after this one; until then it needs no FitInput::edges.
 inline bool isNewMapDueAfter(const RememberedMap& before, const SceneOptimalFit& choice)

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/report/resolution.h"
+
+#include <nlohmann/json.hpp>
+
+namespace lixel {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kVersion = 1;
+
+Json toJson(const ResolutionStudy::Row& row)
+{
+    Json out = {{"view", row.view}, {"light", row.light}, {"technique", row.technique}};
+    out["refused"] = row.refused.empty() ? Json() : Json(row.refused);
+    if (!row.refused.empty()) return out;
+    out["side_by_metric"] = row.sideByMetric;
+    out["side_predicted"] = row.sidePredicted;
+    out["side"] = row.side ? Json(*row.side) : Json();
+    out["misclassified_percent"] = row.misclassifiedPercent;
+    out["lixels"] = row.side ? Json(row.lixels) : Json();
+    out["sides_measured"] = row.sidesMeasured;
+    return out;
+}
+
+} // namespace
+
+std::string toJson(const ResolutionStudy& study)
+{
+    Json rows = Json::array();
+    for (const ResolutionStudy::Row& row : study.rows) rows.push_back(toJson(row));
+    const Json json = {
+        {"version", kVersion},
+        {"study", "resolution"},
+        {"lixel_version", study.lixelVersion},
+        {"command", study.command},
+        {"scene", study.scene},
+        {"size", study.size},
+        {"executor", study.executor},
+        {"tolerance_percent", study.tolerancePercent},
+        {"largest_side", study.largestSide},
+        {"rows", rows},
+        {"timing",
+         {{"date", study.timing.date}, {"host", study.timing.host}, {"total_seconds", study.timing.totalSeconds}}}};
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace lixel

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/report/scene_optimal_sensitivity.h"
+
+#include <nlohmann/json.hpp>
+
+namespace lixel {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kVersion = 1;
+
+} // namespace
+
+std::string toJson(const SceneOptimalSensitivity& study)
+{
+    Json rows = Json::array();
+    for (const SceneOptimalSensitivity::Curve& curve : study.curves)
+        for (const SceneOptimalSensitivity::Point& point : curve.points)
+            rows.push_back({{"technique", curve.technique},
+                            {"parameter", curve.parameter},
+                            {"value", point.value},
+                            {"is_own", point.isOwn},
+                            {"misclassified", point.misclassified},
+                            {"misclassified_focused", point.ofFocused},
+                            {"ratio_to_focused", point.ratio()},
+                            {"lights", point.lights}});
+    const Json json = {
+        {"version", kVersion},
+        {"study", "scene-optimal-sensitivity"},
+        {"lixel_version", study.lixelVersion},
+        {"command", study.command},
+        {"seed", study.seed},
+        {"scene", study.scene},
+        {"view", study.view},
+        {"size", study.size},
+        {"lixels", study.lixels},
+        {"executor", study.executor},
+        {"lights", study.lights},
+        {"rows", rows},
+        {"timing",
+         {{"date", study.timing.date}, {"host", study.timing.host}, {"total_seconds", study.timing.totalSeconds}}}};
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace lixel
