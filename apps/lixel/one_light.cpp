@@ -5,6 +5,8 @@
 #include "lixel/plan/observe.h"
 #include "lixel/trace/exact_visibility.h"
 
+#include <algorithm>
+
 namespace lixel::app {
 
 StudiedPicture::StudiedPicture(const Shooting& of, const Shot& shot, Executor& by)
@@ -22,6 +24,11 @@ OneLight::OneLight(const StudiedPicture& picture, const Light& light)
       exact_(exactVisibility(*picture.stage.traced, picture.samples, light)),
       zones_(zonesOf(picture.samples, light, exact_))
 {
+}
+
+std::int64_t OneLight::lightFacing() const
+{
+    return std::ranges::count_if(zones_, [](Zone zone) { return zone != Zone::FacingAway; });
 }
 
 void OneLight::drawLastFrame(LixelSize lixels)

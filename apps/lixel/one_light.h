@@ -6,6 +6,7 @@
 #include "lixel/plan/fit/need_sample.h"
 #include "shadows.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,7 @@ public:
     OneLight(const StudiedPicture& picture, const Light& light);
 
     const Light& light() const { return lights_.front(); }
+    std::int64_t lightFacing() const; // samples
 
     // The frame before: this one, drawn with `focused` of that size, which is in no budget.
     void drawLastFrame(LixelSize lixels);

@@ -71,8 +71,8 @@ public:
             out.refused = nameOf(*refused);
             return out;
         }
-        const double lightFacing = double(light_.score(any).lightFacing);
-        out.sideByMetric = sideByMetric(picture_, any.lights.front(), boundary_, lightFacing, tolerance_);
+        out.sideByMetric =
+            sideByMetric(picture_, any.lights.front(), boundary_, double(light_.lightFacing()), tolerance_);
         const SmallestMap found = smallestMap(tolerance_, out.sideByMetric, [&](int side) {
             const auto score = light_.score(choice, {side, side}, known);
             return score ? score->misclassifiedPercent() : std::numeric_limits<double>::infinity();
