@@ -9,7 +9,8 @@
 namespace lixel {
 namespace {
 
-constexpr int kObserveEvery = 3; // frames
+constexpr int kObserveEvery = 3;  // frames
+constexpr int kStandardEvery = 4; // observations
 
 } // namespace
 
@@ -20,7 +21,9 @@ FrameLoop::FrameLoop(GlExecutor& executor, Options options) : executor_(executor
     const SceneOptimalFit* const sceneOptimal = sceneOptimalOf(options_.technique);
     if (!options_.observeEvery) options_.observeEvery = sceneOptimal ? sceneOptimal->update : kObserveEvery;
     if (!options_.grid) options_.grid = firstPass ? firstPass->grid : ObservationGrid{};
-    LX_ASSERT(*options_.observeEvery > 0);
+    if (!options_.standardEvery)
+        options_.standardEvery = sceneOptimal && sceneOptimal->uncoveredIsLit ? kStandardEvery : 0;
+    LX_ASSERT(*options_.observeEvery > 0 && *options_.standardEvery >= 0);
     observes_ = needsLights_ || needsViewSamples(options_.technique);
     start_.store = options_.technique.store;
     start_.kernel = options_.technique.kernel;
@@ -41,6 +44,14 @@ bool FrameLoop::isStarting(const Subject& subject) const
     return frame_ == 0 || subject.seen.originWorld != plan_.originWorld || subject.lights.size() != plan_.lights.size();
 }
 
+bool FrameLoop::isStandard() const
+{
+    if (!observes_) return false;
+    if (!hasObservation_) return true;
+    return *options_.standardEvery > 0 && isObserved() &&
+           frame_ / *options_.observeEvery % *options_.standardEvery == 0;
+}
+
 void FrameLoop::planFrame(const Subject& subject)
 {
     const auto began = std::chrono::steady_clock::now();
@@ -48,12 +59,12 @@ void FrameLoop::planFrame(const Subject& subject)
         std::swap(observation_, arrived_);
         hasObservation_ = true;
     }
-    const bool isStart = observes_ && !hasObservation_;
+    const bool isStandardFrame = isStandard();
     PlanInput input{subject.view,
                     subject.lights,
                     subject.casterBoxesWorld,
                     subject.seen.originWorld,
-                    isStart ? start_ : options_.technique,
+                    isStandardFrame ? start_ : options_.technique,
                     options_.lixels};
     input.planes = subject.planes;
     input.before = before_;
@@ -64,7 +75,7 @@ void FrameLoop::planFrame(const Subject& subject)
         input.seen = &observation_.samples;
     }
     plan_ = planShadows(input, scratch_, std::move(plan_));
-    if (!isStart) before_ = rememberedBy(plan_); // maps of the start are not what the technique would keep
+    if (!isStandardFrame) before_ = rememberedBy(plan_); // standard maps are not what the technique would keep
     planMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
 
@@ -73,7 +84,7 @@ void FrameLoop::draw(const Subject& subject, std::vector<FrameTimes::Pass>* pass
     if (isStarting(subject)) restart();
     planFrame(subject);
     GlExecutor::Frame frame{subject.seen, subject.casters, subject.view, plan_, subject.lights};
-    if (observes_ && frame_ % *options_.observeEvery == 0) frame.observed = options_.grid;
+    if (isObserved()) frame.observed = options_.grid;
     hasArrived_ = executor_.advance(frame, arrived_, passes);
     ++frame_;
 }

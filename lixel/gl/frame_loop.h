@@ -31,6 +31,10 @@ public:
         // Nothing: what the technique asks for, else every third frame and the usual grid.
         std::optional<int> observeEvery = {}; // frames
         std::optional<ObservationGrid> grid = {};
+        // So many-th observations are of a frame drawn with a standard map (focused), which finds shadows that the technique's own
+        // maps do not hold. Nothing: every fourth of techniques that leave receivers lit outside their maps, never of others,
+        // whose else(...) sees all; 0: never.
+        std::optional<int> standardEvery = {};
     };
 
     // Of one frame. A new origin or another number of lights starts the loop again; so should the host where the camera jumps.
@@ -61,6 +65,8 @@ public:
 
 private:
     void planFrame(const Subject& subject);
+    bool isObserved() const { return observes_ && frame_ % *options_.observeEvery == 0; }
+    bool isStandard() const;
     bool isStarting(const Subject& subject) const;
 
     GlExecutor& executor_;

@@ -97,17 +97,34 @@ TEST_F(FrameLoopTest, ObservationsReachPlansAFixedNumberOfFramesLater)
 }
 
 // First it is planned from what the maps of the start show, then from what its own do; then it rests.
-TEST_F(FrameLoopTest, AStillCameraHasTheSamePlanInEveryFrame)
+TEST_F(FrameLoopTest, WhatAMapLeavesLitIsLookedForWithStandardMapsNowAndThen)
 {
     GlExecutor executor;
     Rng rng(8);
     const Walk walk(rng);
-    constexpr int kEvery = 3, kSettled = kArrival + 2 * kEvery;
+    constexpr int kEvery = 3, kStandardEvery = 2;
+    FrameLoop standard(executor, {techniqueOf("focused"), {48, 48}});
+    standard.draw(walk.subject());
+    const FramePlan focused = standard.plan();
+    FrameLoop loop(executor, {techniqueOf("scene-optimal(uncovered=lit)"), {48, 48}, kEvery, kGrid, kStandardEvery});
+    for (int frame = 0; frame < 25; ++frame) {
+        loop.draw(walk.subject());
+        const bool isStandard = frame < kArrival || frame % (kEvery * kStandardEvery) == 0;
+        EXPECT_EQ(isSamePlan(loop.plan(), focused), isStandard) << "frame " << frame;
+    }
+}
+
+TEST_F(FrameLoopTest, UnderAStillCameraPlansComeToRest)
+{
+    GlExecutor executor;
+    Rng rng(8);
+    const Walk walk(rng);
+    constexpr int kEvery = 3, kSettled = kArrival + 6 * kEvery; // maps are made from what they let be seen
     for (const char* text : {"focused", "desired-view(rotated)", "sdsm(4)", "sdsm(2)+lispsm", "planes(auto)",
                              "scene-optimal", "scene-optimal(metric=l2,search=paper,uncovered=lit)"}) {
-        FrameLoop loop(executor, {techniqueOf(text), {48, 48}, kEvery, kGrid});
+        FrameLoop loop(executor, {techniqueOf(text), {48, 48}, kEvery, kGrid, 0}); // no standard maps
         FramePlan settled;
-        for (int frame = 0; frame < 30; ++frame) {
+        for (int frame = 0; frame < 45; ++frame) {
             loop.draw(walk.subject());
             if (frame == kSettled) settled = loop.plan();
             EXPECT_TRUE(frame <= kSettled || isSamePlan(loop.plan(), settled)) << text << ", frame " << frame;
