@@ -245,10 +245,8 @@ Answer takeSceneOptimal(const Word& word, Parts& parts)
         if (*search != "paper" && *search != "wide") return "scene-optimal takes search=paper or search=wide";
         if (*search == "paper") fit.search = MapSearchKind::Descent;
     }
-    if (const auto extent = arguments.take("holds")) {
-        if (*extent != "shadows" && *extent != "seen") return "scene-optimal takes holds=shadows or holds=seen";
-        if (*extent == "seen") fit.extent = MapExtent::Seen;
-    }
+    const auto extent = arguments.take("holds");
+    if (extent && *extent != "shadows" && *extent != "seen") return "scene-optimal takes holds=shadows or holds=seen";
     if (const auto text = arguments.take("iterations")) {
         const auto iterations = readInteger(*text);
         if (!iterations || *iterations < 0 || *iterations > 100 || fit.search != MapSearchKind::Descent)
@@ -285,6 +283,9 @@ Answer takeSceneOptimal(const Word& word, Parts& parts)
             return "scene-optimal takes uncovered=lit; without it, what is not covered goes to else(...)";
         fit.uncoveredIsLit = true;
     }
+    // A second map for what is lit all around costs more than it brings; where nothing serves that, nothing is lost.
+    fit.extent =
+        extent.value_or(fit.uncoveredIsLit ? "shadows" : "seen") == "seen" ? MapExtent::Seen : MapExtent::Shadows;
     fit.hasShear = arguments.takeFlag("shear");
     if (!arguments.areAllTaken())
         return "scene-optimal takes metric=, search=, holds=, iterations=, slack=, weight=, samples=, keep=, update=, "

@@ -44,7 +44,7 @@ constexpr std::array<TechniqueWord, 22> kWords{{
      "of a region's plane every pixel has its lixel; what no plane holds goes to else(...), focused if not given",
      "Chong, Gortler 2004", kAnyLight, "plane-faces-away, light-in-plane, eye-in-plane, nothing-in-view"},
     {"fit",
-     "scene-optimal(metric=width/l2/lloyd/area, search=wide/paper, holds=shadows/seen, iterations=, shear, slack=, "
+     "scene-optimal(metric=width/l2/lloyd/area, search=wide/paper, holds=seen/shadows, iterations=, shear, slack=, "
      "weight=, samples=, "
      "keep=, update=, uncovered=lit)",
      "the matrix that is best for what is seen near the edges of shadows; what it does not hold goes to else(...), "
