@@ -14,6 +14,10 @@ constexpr std::size_t kMostRectangles = 64;
 constexpr std::size_t kMostTried = 8; // pieces for which all ways to halve are tried
 constexpr double kLeastOfEvenShare = 1.0 / 32;
 
+// A map is turned, or a rectangle cut along its shorter side, for no less than this: what is all but the same either way would turn and
+// turn back as samples change.
+constexpr double kWorthTurning = 0.97;
+
 std::int64_t lixelsOf(const LixelRectangle& r) { return std::int64_t(r.width()) * r.height(); }
 
 // A rectangle in two, where the sum of shares comes nearest to a half.
@@ -72,8 +76,8 @@ double leastError(LixelRectangle whole, const Wanting& wanting, std::span<LixelR
                      height = withinBand(whole.height(), wanting.reach);
         const double upright = wanting.needs[0].within(width, height), across = wanting.needs[0].within(height, width);
         pieces[0] = whole;
-        turned[0] = across < upright;
-        return std::min(upright, across);
+        turned[0] = across < kWorthTurning * upright;
+        return turned[0] ? across : upright;
     }
     const auto cutAcross = [&](bool acrossX) {
         const Halves halves = halved(whole, wanting.shares, acrossX);
@@ -89,7 +93,8 @@ double leastError(LixelRectangle whole, const Wanting& wanting, std::span<LixelR
     for (std::size_t i = 0; i < pieces.size(); ++i)
         piecesAlongX.push_back(pieces[i]), turnedAlongX.push_back(turned[i]);
     const double alongY = cutAcross(false);
-    if (!(alongX < alongY)) return alongY;
+    const bool isWide = whole.width() > whole.height();
+    if (isWide ? alongY < kWorthTurning * alongX : !(alongX < kWorthTurning * alongY)) return alongY;
     std::copy(piecesAlongX.begin(), piecesAlongX.end(), pieces.begin());
     std::copy(turnedAlongX.begin(), turnedAlongX.end(), turned.begin());
     return alongX;

@@ -126,7 +126,7 @@ public:
         if (before && !isNewMapDueAfter(*before, choice_)) return kept ? *kept : untilNext();
         gatherRays(input_, body_);
         Fit found = choice_.search == MapSearchKind::Wide ? bestOfAll() : descended();
-        if (!kept || medianBadness(found) < choice_.keep * medianBadness(*kept)) return found;
+        if (!kept || isClearlyBetter(found, *kept)) return found;
         Fit out = *kept;
         out.framesKept = 0; // it was asked for anew, and is still good enough
         return out;
@@ -213,6 +213,22 @@ private:
     {
         const auto rows = rowsOf(fit);
         return rows ? lixelEnergy(choice_.metric, scratch_.all, *rows) : std::numeric_limits<double>::infinity();
+    }
+
+    // By the paper's rule, and by its own metric as clearly: either alone lets two maps take turns, each the better one for what the
+    // other lets be seen.
+    bool isClearlyBetter(const Fit& found, const Fit& kept)
+    {
+        if (choice_.keep == std::numeric_limits<double>::infinity()) return true;
+        return medianBadness(found) < choice_.keep * medianBadness(kept) &&
+               energyOf(found) < energyRatio() * energyOf(kept);
+    }
+
+    // What `keep` is for energies in pixels; those of L2 and Area are squares, as badness is.
+    double energyRatio() const
+    {
+        const bool isOfSquares = choice_.metric == LixelMetric::L2 || choice_.metric == LixelMetric::Area;
+        return isOfSquares ? choice_.keep : std::sqrt(choice_.keep);
     }
 
     double medianBadness(const Fit& fit)
