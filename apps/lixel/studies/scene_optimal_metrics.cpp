@@ -2,13 +2,11 @@
 #include "lixel/report/scene_optimal_metrics.h"
 
 #include "boundary_energy.h"
-#include "exit_code.h"
 #include "experiments/walkthrough.h"
+#include "finish_study.h"
 #include "lixel/scene/hemisphere_lights.h"
 #include "one_light.h"
-#include "output.h"
 #include "progress.h"
-#include "run_results.h"
 #include "study.h"
 
 #include <array>
@@ -106,12 +104,7 @@ int studySceneOptimalMetrics(const StudyOptions& options)
             if (!addLight(picture, light, techniques, study.cases)) ++study.leftOut;
         }
     }
-    study.lixelVersion = LIXEL_VERSION;
-    study.command = options.commandLine;
-    study.timing = timingNow(total.seconds(), executor->host());
-    if (!options.json.empty()) writeOrPrint(options.json, toJson(study));
-    print(study, options.json == "-" ? stderr : stdout);
-    return kDone;
+    return finishStudy(study, options, total.seconds(), executor->host(), print);
 }
 
 } // namespace lixel::app

@@ -2,16 +2,14 @@
 #include "lixel/report/scene_optimal_search.h"
 
 #include "executor.h"
-#include "exit_code.h"
 #include "experiments/walkthrough.h"
+#include "finish_study.h"
 #include "lixel/plan/fit/exhaustive_search.h"
 #include "lixel/plan/fit/scene_optimal.h"
 #include "lixel/plan/need.h"
 #include "lixel/plan/observe.h"
 #include "lixel/scene/hemisphere_lights.h"
-#include "output.h"
 #include "progress.h"
-#include "run_results.h"
 #include "shadows.h"
 #include "study.h"
 
@@ -147,12 +145,7 @@ int studySceneOptimalSearch(const StudyOptions& options)
             if (!walkthrough.add(light, study.cases)) ++study.leftOut;
         }
     }
-    study.lixelVersion = LIXEL_VERSION;
-    study.command = options.commandLine;
-    study.timing = timingNow(total.seconds(), executor->host());
-    if (!options.json.empty()) writeOrPrint(options.json, toJson(study));
-    print(study, options.json == "-" ? stderr : stdout);
-    return kDone;
+    return finishStudy(study, options, total.seconds(), executor->host(), print);
 }
 
 } // namespace lixel::app

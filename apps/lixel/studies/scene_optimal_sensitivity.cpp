@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/report/scene_optimal_sensitivity.h"
 
-#include "exit_code.h"
 #include "experiments/walkthrough.h"
+#include "finish_study.h"
 #include "lixel/plan/need.h"
 #include "lixel/plan/place.h"
 #include "lixel/scene/hemisphere_lights.h"
 #include "one_light.h"
-#include "output.h"
 #include "progress.h"
-#include "run_results.h"
 #include "studies/scene_optimal_variants.h"
 #include "study.h"
 
@@ -188,12 +186,7 @@ int studySceneOptimalSensitivity(const StudyOptions& options)
         }
         study.curves = sensitivity.take();
     }
-    study.lixelVersion = LIXEL_VERSION;
-    study.command = options.commandLine;
-    study.timing = timingNow(total.seconds(), executor->host());
-    if (!options.json.empty()) writeOrPrint(options.json, toJson(study));
-    print(study, options.json == "-" ? stderr : stdout);
-    return kDone;
+    return finishStudy(study, options, total.seconds(), executor->host(), print);
 }
 
 } // namespace lixel::app
