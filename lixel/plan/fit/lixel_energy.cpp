@@ -24,13 +24,11 @@ bool areBefore(const EdgeRays::Vectors& rays, Vec3d w)
 {
     const Columns r(rays);
     const std::size_t count = rays[0].size();
-    double least = kInfinite;
-#pragma omp simd reduction(min : least)
-    for (std::size_t i = 0; i < count; ++i) {
-        const double value = r.along(w, i);
-        least = value < least ? value : least;
-    }
-    return least > 0;
+    // Counted in doubles: Clang has no vector code for the minimum where values may be NaN, nor GCC for mixed widths.
+    double behind = 0;
+#pragma omp simd reduction(+ : behind)
+    for (std::size_t i = 0; i < count; ++i) behind += r.along(w, i) > 0 ? 0.0 : 1.0;
+    return behind == 0;
 }
 
 // The inverse Jacobian of a sample: pixels a lixel, rows are pixel x and y.
