@@ -103,51 +103,56 @@ OrientedRectangle rectangleAlong(std::span<const Vec2d> points, Vec2d axis)
     return {middle.x * axis + middle.y * side, axis, 0.5 * (high - low)};
 }
 
-HullSieve::HullSieve(std::span<const Vec2d> points, double beyond)
+HullSieve::HullSieve(std::span<const Vec2d> points, double beyond) : points_(points)
 {
     constexpr std::size_t kWorthwhile = 32;
     if (points.size() < kWorthwhile) return;
-    // Counter-clockwise from +x, each farthest along its direction.
-    struct Extreme
-    {
-        Vec2d p;
-        double along = -std::numeric_limits<double>::infinity();
-        void take(Vec2d other, double alongOther)
-        {
-            if (alongOther > along) p = other, along = alongOther;
-        }
+    std::array<double, 8> most;
+    most.fill(-std::numeric_limits<double>::infinity());
+    const auto take = [&](std::size_t k, double along, std::size_t i) {
+        if (along > most[k]) most[k] = along, extreme_[k] = i;
     };
-    Extreme x0, x1, x2, x3, x4, x5, x6, x7;
-    for (const Vec2d& p : points) {
+    // Of many points some give nearly as large an octagon; a number that divides few others meets all corners of boxes.
+    const std::size_t step = points.size() < 8 * kWorthwhile ? 1 : 3;
+    for (std::size_t i = 0; i < points.size(); i += step) {
+        const Vec2d p = points[i];
         const double sum = p.x + p.y, difference = p.y - p.x;
-        x0.take(p, p.x), x1.take(p, sum), x2.take(p, p.y), x3.take(p, difference);
-        x4.take(p, -p.x), x5.take(p, -sum), x6.take(p, -p.y), x7.take(p, -difference);
+        take(0, p.x, i), take(1, sum, i), take(2, p.y, i), take(3, difference, i);
+        take(4, -p.x, i), take(5, -sum, i), take(6, -p.y, i), take(7, -difference, i);
     }
-    const Vec2d e0 = x0.p, e1 = x1.p, e2 = x2.p, e3 = x3.p, e4 = x4.p, e5 = x5.p, e6 = x6.p, e7 = x7.p;
-    if (e0 == e4 && e2 == e6) return;
-    // Each diagonal extreme lies beyond one corner of this box, hence the box within their hull.
-    low_ = {std::max(e3.x, e5.x), std::max(e5.y, e7.y)};
-    high_ = {std::min(e1.x, e7.x), std::min(e1.y, e3.y)};
+    const double width = most[0] + most[4], height = most[2] + most[6];
+    if (!(width > 0 || height > 0)) return;
 
     // Sides as lines; corners that are one have no side between them.
-    const double size = e0.x - e4.x + e2.y - e6.y;
     isWorthwhile_ = true;
-    corner_ = {e0, e1, e2, e3, e4, e5, e6, e7};
     for (std::size_t k = 0; k < 8; ++k) {
-        const Vec2d side = corner_[(k + 1) % 8] - corner_[k];
+        const Vec2d from = points[extreme_[k]], side = points[extreme_[(k + 1) % 8]] - from;
         normal_[k] = {-side.y, side.x};
-        offset_[k] = side == Vec2d{} ? 1 : -dot(normal_[k], corner_[k]) + beyond * size * length(side);
+        offset_[k] = side == Vec2d{} ? 1 : -dot(normal_[k], from) + beyond * (width + height) * length(side);
     }
+}
+
+void HullSieve::flagOuter(std::size_t begin, std::size_t count, Flags& isOuter) const
+{
+    isOuter.fill(isWorthwhile_ ? 0 : 1);
+    if (!isWorthwhile_) return;
+    Flags x, y;
+    for (std::size_t i = 0; i < count; ++i) x[i] = points_[begin + i].x, y[i] = points_[begin + i].y;
+    for (std::size_t k = 0; k < 8; ++k) {
+        const double nx = normal_[k].x, ny = normal_[k].y, offset = offset_[k];
+        for (std::size_t i = 0; i < count; ++i) isOuter[i] += nx * x[i] + ny * y[i] + offset > 0 ? 0.0 : 1.0;
+    }
+    // The octagon's own corners are corners of all, however far beyond it a point counts as inner.
+    for (const std::size_t corner : extreme_)
+        if (corner >= begin && corner < begin + count) isOuter[corner - begin] = 1;
 }
 
 std::size_t convexHull(std::span<Vec2d> points, std::span<Vec2d> hull)
 {
     LX_ASSERT(hull.size() > points.size());
     // Sorting is what a hull costs: most points are left out before.
-    const HullSieve sieve(points, -kLeastSide);
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (!sieve.isInner(points[i])) std::swap(points[kept++], points[i]);
+    HullSieve(points, -kLeastSide).forEachOuter([&](std::size_t i) { std::swap(points[kept++], points[i]); });
     return hullOf(points.first(kept), hull);
 }
 

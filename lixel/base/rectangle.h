@@ -29,20 +29,30 @@ std::size_t convexHull(std::span<NumberedPoint> points, std::span<NumberedPoint>
 class HullSieve
 {
 public:
-    // A point counts as inner up to `beyond` outside the octagon, against the size of it all. Negative: that much inside.
+    // A point counts as inner up to `beyond` outside the octagon, against the size of it all. Negative: that much inside. The
+    // points must stay as long as the sieve does.
     HullSieve(std::span<const Vec2d> points, double beyond);
-    bool isInner(Vec2d p) const
+
+    // Calls `take` with the number of each point that is not inner, in their order.
+    template <typename Take>
+    void forEachOuter(const Take& take) const
     {
-        if (p.x > low_.x && p.x < high_.x && p.y > low_.y && p.y < high_.y) return true;
-        if (!isWorthwhile_) return false;
-        for (std::size_t k = 0; k < 8; ++k)
-            if (!(dot(normal_[k], p) + offset_[k] > 0)) return false;
-        return std::find(corner_.begin(), corner_.end(), p) == corner_.end();
+        Flags isOuter;
+        for (std::size_t begin = 0; begin < points_.size(); begin += isOuter.size()) {
+            const std::size_t count = std::min(isOuter.size(), points_.size() - begin);
+            flagOuter(begin, count, isOuter);
+            for (std::size_t i = 0; i < count; ++i)
+                if (isOuter[i] > 0) take(begin + i);
+        }
     }
 
 private:
-    Vec2d low_{1, 1}, high_{-1, -1};           // a box inside the octagon of extreme points
-    std::array<Vec2d, 8> corner_{}, normal_{}; // the octagon, and its sides, inside positive
+    using Flags = std::array<double, 64>; // not 0: outer; as numbers they are made in vector code
+    void flagOuter(std::size_t begin, std::size_t count, Flags& isOuter) const;
+
+    std::span<const Vec2d> points_;
+    std::array<std::size_t, 8> extreme_{}; // counter-clockwise from +x, each farthest along its direction, or nearly
+    std::array<Vec2d, 8> normal_{};        // the sides of their octagon, inside positive
     std::array<double, 8> offset_{};
     bool isWorthwhile_ = false;
 };

@@ -274,8 +274,9 @@ void LightPlanner::findUnservedRays()
     const bool isOfSamples = std::any_of(candidates_.begin(), candidates_.end(),
                                          [](const Candidate& candidate) { return candidate.fit.isOfSamples; });
     fitInput_.cellLocal.clear();
-    if (isOfSamples) {
-        if (!input_.seen || !input_.seenIsAll) return;
+    const bool isAllKnown = input_.seen && input_.seenIsAll;
+    if (isOfSamples || (candidates_.empty() && isAllKnown)) {
+        if (!isAllKnown) return;
         scratch_.pointsOfRays.assign(seenLocal_.begin(), seenLocal_.end());
         raysThrough(fitInput_, space, scratch_.pointsOfRays, scratch_.rays);
         isCropping_ = true;

@@ -39,7 +39,8 @@ private:
     std::optional<FitFailure> tryPlanes(const InterestPlanes& planes, Twist twist, std::vector<LeftOutPlane>& leftOut);
     void lookForPlanes(std::vector<FoundPlane>& found);
     InterestPlanes planesThatPay(std::span<const FoundPlane> found, Twist twist);
-    bool hadRegion(const FoundPlane& plane) const;
+    void keepThoseThatPay(InterestPlanes& chosen, Twist twist);
+    bool hadRegion(const Plane& planeLocal) const;
     double predictedError();
     std::optional<FitFailure> addElseTo(std::optional<FitFailure> refused);
     std::optional<FitFailure> addAll(const Partition& partition, const FitChoice& fit);

@@ -72,7 +72,8 @@ InterestPlanes LightPlanner::planesThatPay(std::span<const FoundPlane> found, Tw
             InterestPlanes with = chosen;
             with.push_back({found[i].planeLocal, {}, int(i)});
             if (tryPlanes(with, twist, scratch_.leftOut)) continue;
-            const double error = predictedError(), weighed = hadRegion(found[i]) ? error : error / kGainOfRegion;
+            const double error = predictedError(),
+                         weighed = hadRegion(found[i].planeLocal) ? error : error / kGainOfRegion;
             if (weighed < bestWeighed) best = error, bestWeighed = weighed, better = with;
         }
         if (!better) break;
@@ -80,17 +81,37 @@ InterestPlanes LightPlanner::planesThatPay(std::span<const FoundPlane> found, Tw
         least = best;
     }
     triedLocal_.reset();
+    keepThoseThatPay(chosen, twist);
     return chosen;
 }
 
+// Maps of all samples are larger than those of the few that were tried with. From the last one on, planes that gain less by that are
+// given up.
+void LightPlanner::keepThoseThatPay(InterestPlanes& chosen, Twist twist)
+{
+    const auto errorOf = [&](const InterestPlanes& planes) {
+        const bool isRefused = tryPlanes(planes, twist, scratch_.leftOut).has_value();
+        return isRefused ? std::numeric_limits<double>::infinity() : predictedError();
+    };
+    double error = chosen.empty() ? 0 : errorOf(chosen);
+    while (!chosen.empty()) {
+        const InterestPlane last = chosen.back();
+        InterestPlanes fewer = chosen;
+        fewer.pop_back();
+        const double without = errorOf(fewer);
+        if (error < without * (hadRegion(last.planeLocal) ? 1 : kGainOfRegion)) return;
+        chosen = fewer, error = without;
+    }
+}
+
 // In the last frame: such a plane stays without a gain, so that planes do not come and go.
-bool LightPlanner::hadRegion(const FoundPlane& plane) const
+bool LightPlanner::hadRegion(const Plane& planeLocal) const
 {
     if (number_ >= input_.before.size()) return false;
     const std::vector<RememberedPlane>& before = input_.before[number_].planes;
     return std::any_of(before.begin(), before.end(), [&](const RememberedPlane& one) {
-        return one.hadRegion && one.planeLocal.normal == plane.planeLocal.normal &&
-               one.planeLocal.offset == plane.planeLocal.offset;
+        return one.hadRegion && one.planeLocal.normal == planeLocal.normal &&
+               one.planeLocal.offset == planeLocal.offset;
     });
 }
 

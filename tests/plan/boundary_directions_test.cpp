@@ -72,8 +72,9 @@ TEST(BoundaryDirections, OfAStraightEdgeAreItsNormal)
     });
     std::printf("%d samples, mean %.2f degrees, worst %.2f degrees\n", count, sum / count * 180 / std::numbers::pi,
                 worst * 180 / std::numbers::pi);
-    EXPECT_LT(sum / count, 6 * std::numbers::pi / 180);
-    EXPECT_LT(worst, 25 * std::numbers::pi / 180);
+    EXPECT_LT(sum / count, 5 * std::numbers::pi / 180);
+    // No more than what an edge of one in two has against the cells: five of them a side tell no better.
+    EXPECT_LT(worst, std::atan(0.5));
 }
 
 // Along the rows or columns of cells there is nothing to guess.

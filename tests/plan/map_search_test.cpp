@@ -9,7 +9,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace lixel {
@@ -54,8 +56,25 @@ bool areBefore(const std::vector<Vec3d>& corners, Vec3d w)
     return least > 1e-4 * most;
 }
 
-// Algorithm 1, step 4, line by line; h and its gradient by central differences of h.
-FoundMap algorithm1(SearchCase& c, LixelMetric metric, double aspect)
+// By central differences of h. Nothing where two steps do not agree: widths have kinks, and one of them is that near.
+template <typename Energy>
+std::optional<Vec3d> gradientWithW(const Energy& h, const PlaneWarp& P)
+{
+    const auto by = [&](double step) {
+        Vec3d gradient;
+        for (const Vec3d e : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
+            PlaneWarp before = P, after = P;
+            before.w = P.w - step * e, after.w = P.w + step * e;
+            gradient = gradient + ((h(after) - h(before)) / (2 * step)) * e;
+        }
+        return gradient;
+    };
+    const Vec3d coarse = by(1e-6), fine = by(2e-7);
+    return length(coarse - fine) < 1e-5 * length(fine) ? std::optional(fine) : std::nullopt;
+}
+
+// Algorithm 1, step 4, line by line. Nothing where the gradient is not to be had.
+std::optional<FoundMap> algorithm1(SearchCase& c, LixelMetric metric, double aspect)
 {
     const auto h = [&](const PlaneWarp& P) { return lixelEnergy(metric, c.rays, P); };
     Vec3d p4{0, 0, 1};
@@ -64,14 +83,9 @@ FoundMap algorithm1(SearchCase& c, LixelMetric metric, double aspect)
     PlaneWarp P = optimal.map;
     for (int k = 0; k < 3; ++k) {
         // a. the gradient, what of it is at right angles to p4, and the axis of rotation
-        Vec3d gradient;
-        for (const Vec3d e : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
-            constexpr double step = 1e-6;
-            PlaneWarp before = P, after = P;
-            before.w = P.w - step * e, after.w = P.w + step * e;
-            gradient = gradient + ((h(after) - h(before)) / (2 * step)) * e;
-        }
-        const Vec3d about = normalized(cross(p4, -gradient));
+        const std::optional<Vec3d> gradient = gradientWithW(h, P);
+        if (!gradient) return std::nullopt;
+        const Vec3d about = normalized(cross(p4, -*gradient));
         // b. each candidate angle, by Rodrigues' formula
         FoundMap step{{}, INFINITY};
         Vec3d stepTo;
@@ -93,20 +107,24 @@ FoundMap algorithm1(SearchCase& c, LixelMetric metric, double aspect)
 
 TEST(MapSearch, DescentIsAlgorithm1)
 {
-    int tried = 0;
+    int tried = 0, atKinks = 0;
     forEachCase(60, [&](Rng& rng) {
         SearchCase c;
         if (!c.make(rng, 48, 36)) return;
         const double aspect = rng.chance(0.5) ? 1 : rng.logUniform(0.3, 3);
         for (const LixelMetric metric : kAllMetrics) {
-            const FoundMap expected = algorithm1(c, metric, aspect),
-                           found = descend(c.question(metric, aspect), {0, 0, 1});
-            EXPECT_NEAR(found.energy, expected.energy, 1e-4 * expected.energy) << nameOf(metric);
+            const std::optional<FoundMap> expected = algorithm1(c, metric, aspect);
+            const FoundMap found = descend(c.question(metric, aspect), {0, 0, 1});
             EXPECT_NEAR(lixelEnergy(metric, c.rays, found.map), found.energy, 1e-12 * found.energy);
+            atKinks += !expected;
+            if (!expected) continue;
+            EXPECT_NEAR(found.energy, expected->energy, 1e-4 * expected->energy) << nameOf(metric);
         }
         ++tried;
     });
+    std::printf("%d cases, %d metrics of them at a kink\n", tried, atKinks);
     EXPECT_GT(tried, 20);
+    EXPECT_LT(atKinks, 0.02 * 4 * tried);
 }
 
 // Best so far: more iterations are never worse, none are the start, and no angle makes it worse.
@@ -138,11 +156,14 @@ TEST(MapSearch, MapsHoldTheHull)
             const MapQuestion question = c.question(metric, aspect, rng.chance(0.5));
             for (const FoundMap& found : {searchWidely(question), descend(question, {0, 0, 1})}) {
                 EXPECT_NEAR(lixelEnergy(metric, c.rays, found.map), found.energy, 1e-9 * found.energy);
+                // But for rounding, of the rows' own terms: near the hull's horizon w is what is left of them.
+                const auto isHeld = [&](Vec3d row, double half, Vec3d r) {
+                    const double rounding = 1e-13 * length(r) * (length(row) + half * length(found.map.w));
+                    return std::abs(dot(row, r)) <= half * dot(found.map.w, r) + rounding;
+                };
                 for (const Vec3d& r : c.corners) {
-                    EXPECT_LE(std::abs(dot(found.map.x, r)),
-                              0.5 * std::sqrt(aspect) * dot(found.map.w, r) * (1 + 1e-9));
-                    EXPECT_LE(std::abs(dot(found.map.y, r)),
-                              0.5 / std::sqrt(aspect) * dot(found.map.w, r) * (1 + 1e-9));
+                    EXPECT_TRUE(isHeld(found.map.x, 0.5 * std::sqrt(aspect), r)) << nameOf(metric);
+                    EXPECT_TRUE(isHeld(found.map.y, 0.5 / std::sqrt(aspect), r)) << nameOf(metric);
                 }
             }
         }

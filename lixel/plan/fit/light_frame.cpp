@@ -48,6 +48,10 @@ constexpr double kMostBeside = 30;
 // every rectangle has as room.
 constexpr double kNoLoss = 1e-10;
 
+// Casters beside a map by less than this part of what their distance is made of only touch it; they count as in it, so that
+// rounding does not decide.
+constexpr double kTouching = 1e-9;
+
 // A little room so that receivers on the very border stay inside after rounding to float.
 constexpr double kBorder = 1 + 1e-6;
 
@@ -57,9 +61,17 @@ struct Interval
     double middle = 0, reach = 0;
 };
 
-Interval over(Vec4d row, Vec3d centre, Vec3d half)
+Vec4d absolute(Vec4d row) { return {std::abs(row.x), std::abs(row.y), std::abs(row.z), std::abs(row.w)}; }
+
+Interval over(Vec4d row, Vec3d centre, Vec3d half) { return {dot(row, point(centre)), dot(xyz(absolute(row)), half)}; }
+
+// Whether a box is outside a half-space by more than rounding.
+bool isBeyond(Vec4d side, Vec3d centre, Vec3d half)
 {
-    return {dot(row, point(centre)), std::abs(row.x) * half.x + std::abs(row.y) * half.y + std::abs(row.z) * half.z};
+    const Interval value = over(side, centre, half);
+    const Vec4d size = absolute(side);
+    const double terms = dot(xyz(size), {std::abs(centre.x), std::abs(centre.y), std::abs(centre.z)}) + size.w;
+    return value.middle + value.reach < -kTouching * terms;
 }
 
 // How far rounding of one part moves points within a rectangle, along its sides: the terms of their coordinates, counted from its
@@ -69,15 +81,17 @@ Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, st
     const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
     const auto along = [&](Vec2d axis) { return axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w; };
     const Vec4d u = along(rectangle.axis), v = along({-rectangle.axis.y, rectangle.axis.x});
-    double leastW = std::numeric_limits<double>::infinity(), leastAway = leastW, mostAway = 0, farthest = 0;
-    for (const Vec3d& p : points) {
-        const Vec3d fromLight = p - frame.apexLocal;
-        const double away = dot(fromLight, fromLight);
-        leastW = std::min(leastW, dot(w, point(p)));
-        leastAway = std::min(leastAway, away);
-        mostAway = std::max(mostAway, away);
-        farthest = std::max(farthest, dot(p, p));
-    }
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    double leastW = frame.isPerspective ? kInfinity : frame.leastW, leastAway = kInfinity, mostAway = 0, farthest = 0;
+    for (const Vec3d& p : points) farthest = std::max(farthest, dot(p, p));
+    if (frame.isPerspective)
+        for (const Vec3d& p : points) {
+            const Vec3d fromLight = p - frame.apexLocal;
+            const double away = dot(fromLight, fromLight);
+            leastW = std::min(leastW, dot(w, point(p)));
+            leastAway = std::min(leastAway, away);
+            mostAway = std::max(mostAway, away);
+        }
     const double next = kNextToLight * kNextToLight * mostAway; // a square, as they are
     const bool isNext = frame.isPerspective && leastAway < next;
 
@@ -138,13 +152,11 @@ double nearestCaster(const LightFrame& frame, const OrientedRectangle& rectangle
     for (const Box& boxWorld : input.casterBoxesWorld) {
         if (boxWorld.isEmpty()) continue;
         const Vec3d centre = boxWorld.centre() - input.originWorld, half = 0.5 * (boxWorld.max - boxWorld.min);
-        const bool isBeside = std::any_of(inside.begin(), inside.end(), [&](Vec4d side) {
-            const Interval value = over(side, centre, half);
-            return value.middle + value.reach < 0;
-        });
-        if (isBeside) continue;
         const Interval depths = over(depth, centre, half);
-        nearest = std::min(nearest, depths.middle - depths.reach);
+        if (depths.middle - depths.reach >= nearest) continue;
+        const bool isBeside =
+            std::any_of(inside.begin(), inside.end(), [&](Vec4d side) { return isBeyond(side, centre, half); });
+        if (!isBeside) nearest = depths.middle - depths.reach;
     }
     return nearest;
 }
@@ -153,10 +165,10 @@ double nearestCaster(const LightFrame& frame, const OrientedRectangle& rectangle
 void keepHull(std::span<const Vec3d> points, FitScratch& scratch)
 {
     auto& [onPlane, hull, numbered, numberedHull] = scratch.plane;
-    const HullSieve sieve(onPlane, kNoLoss); // what a cone cuts lies in line
     numbered.clear();
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (!sieve.isInner(onPlane[i])) numbered.push_back({onPlane[i], std::uint32_t(i)});
+    HullSieve(onPlane, kNoLoss).forEachOuter([&](std::size_t i) { // what a cone cuts lies in line
+        numbered.push_back({onPlane[i], std::uint32_t(i)});
+    });
     numberedHull.resize(numbered.size() + 1);
     const std::size_t corners = convexHull(numbered, numberedHull);
     scratch.corners.clear();

@@ -18,6 +18,9 @@ constexpr std::size_t kConeSides = 8;
 // rounding would cut what is there again and again.
 constexpr double kInPlane = 1e-13;
 
+// Casters beside a map by less than this part of the scene only touch it; they count as in it, so that rounding does not decide.
+constexpr double kTouching = 1e-9;
+
 // Half-spaces around a spot's cone, last in their list: eight through the light, touching the cone.
 void addCone(const Light& light, Vec3d lightLocal, BodyPlanes& planes)
 {
@@ -200,9 +203,11 @@ double leastOverCasters(const FitInput& input, const Mat4d& lightClipFromLocal, 
 {
     const Vec4d x = lightClipFromLocal.row(0), y = lightClipFromLocal.row(1), z = lightClipFromLocal.row(2),
                 w = lightClipFromLocal.row(3);
+    const double slack = kTouching * (length(input.sceneLocal.centre()) + input.sceneLocal.diagonal());
     BodyPlanes planes;
     for (const Vec4d& side : {w + x, w - x, w + y, w - y, w - z})
-        if (const double size = length(xyz(side)); size > 0) planes.push_back({(1 / size) * xyz(side), side.w / size});
+        if (const double size = length(xyz(side)); size > 0)
+            planes.push_back({(1 / size) * xyz(side), side.w / size + slack});
 
     const Vec3d steps{std::abs(function.x), std::abs(function.y), std::abs(function.z)};
     const auto leastOf = [&](const Box& boxWorld) {

@@ -201,8 +201,6 @@ void outline(PlaneScratch& scratch, FoundPlane& found)
         if (!from) from = sample.p - plane.signedDistance(sample.p) * plane.normal;
         points.push_back({dot(u, sample.p - *from), dot(v, sample.p - *from)});
     }
-    const HullSieve sieve(points, 0);
-    std::erase_if(points, [&](Vec2d p) { return sieve.isInner(p); });
     scratch.hull.resize(points.size() + 1);
     const std::size_t corners = convexHull(points, scratch.hull);
     const std::size_t count =
