@@ -28,6 +28,7 @@ const int kStorageShadingLights = 10;
 const int kStorageCells = 11;
 const int kStorageSdsm = 12;
 const int kStorageSdsmCasters = 13;
+const int kStorageWarps = 14;
 
 // Uniform buffers.
 const int kUniformView = 0;

@@ -17,6 +17,7 @@ void PlanTables::upload(const FramePlan& plan)
     regions_.assign(std::span<const shared::ShadowRegion>(plan.regionTable));
     halfSpaces_.assign(std::span<const shared::vec4>(plan.halfSpaceTable));
     lights_.assign(std::span<const shared::ShadowLight>(plan.lightTable));
+    warps_.assign(std::span<const float>(plan.warpTable));
     regionCount_ = plan.regionTable.size(), halfSpaceCount_ = plan.halfSpaceTable.size();
 }
 
@@ -35,6 +36,7 @@ void PlanTables::bind() const
     regions_.bindStorage(shared::kStorageRegions);
     halfSpaces_.bindStorage(shared::kStorageHalfSpaces);
     lights_.bindStorage(shared::kStorageLights);
+    warps_.bindStorage(shared::kStorageWarps);
 }
 
 void ShadowAtlas::resize(const Device& device, const FramePlan& plan)

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/plan/warp/texture_warp.h"
+
+namespace lixel {
+namespace {
+
+float sharedKind(WarpLines lines)
+{
+    switch (lines) {
+    case WarpLines::Rectilinear: return shared::LX_WARP_RECTILINEAR;
+    case WarpLines::Nearest: return shared::LX_WARP_NEAREST;
+    case WarpLines::Interpolated: return shared::LX_WARP_INTERPOLATED;
+    }
+    return shared::LX_WARP_NONE;
+}
+
+} // namespace
+
+shared::ShadowWarp appendWarp(const TextureWarp& warp, std::vector<float>& knots)
+{
+    shared::ShadowWarp row;
+    if (warp.isIdentity()) return row;
+    row.kind.x = sharedKind(warp.lines);
+    row.grid = {float(knots.size()), float(warp.columns), float(warp.rows), float(knots.size() + warp.rowKnots.size())};
+    row.square = {float(warp.square.x0), float(warp.square.y0), float(warp.square.x1), float(warp.square.y1)};
+    knots.insert(knots.end(), warp.rowKnots.begin(), warp.rowKnots.end());
+    knots.insert(knots.end(), warp.columnKnots.begin(), warp.columnKnots.end());
+    return row;
+}
+
+} // namespace lixel

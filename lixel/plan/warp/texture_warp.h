@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/base/vec.h"
+#include "lixel/plan/light_image.h"
+#include "lixel/shared/warp.h"
+
+#include <vector>
+
+namespace lixel {
+
+// How the functions of a texture warp stand (lixel/shared/warp.h has what they mean).
+enum class WarpLines {
+    Rectilinear, // one function for all rows, one for all columns (Rosen 2012)
+    Nearest, // one a row and one a column of the grid; a point takes those it lies in (Milet et al. 2015, equation 6)
+    Interpolated // it takes what lies between the middles of the nearest two
+};
+
+// The warp of one region's square. Knots go function by function: of rows columns + 1 each, of columns rows + 1 each; each
+// function begins at 0, ends at 1 and grows strictly. Without columns it is the identity.
+struct TextureWarp
+{
+    WarpLines lines = WarpLines::Interpolated;
+    int columns = 0, rows = 0;
+    std::vector<float> rowKnots, columnKnots;
+    LixelRectangle square = {}; // lixels that are warped; around them guard bands stay
+
+    bool isIdentity() const { return columns == 0; }
+    friend bool operator==(const TextureWarp&, const TextureWarp&) = default;
+};
+
+// Of the region's row of the table: its knots are appended to the table of all.
+shared::ShadowWarp appendWarp(const TextureWarp& warp, std::vector<float>& knots);
+
+} // namespace lixel
