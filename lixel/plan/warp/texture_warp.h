@@ -16,11 +16,19 @@ enum class WarpLines {
     Interpolated // it takes what lies between the middles of the nearest two
 };
 
+// How triangles get into a warped map, where hardware draws straight edges only.
+enum class WarpRaster {
+    Vertices,   // vertices are moved, edges stay straight
+    Tessellate, // triangles over which the warp bends are cut up first (Milet et al. 2015, section 4.1)
+    Exact       // coverage and depth are those of the ray through the middle of each lixel
+};
+
 // The warp of one region's square. Knots go function by function: of rows columns + 1 each, of columns rows + 1 each; each
 // function begins at 0, ends at 1 and grows strictly. Without columns it is the identity.
 struct TextureWarp
 {
     WarpLines lines = WarpLines::Interpolated;
+    WarpRaster raster = WarpRaster::Exact; // of executors that rasterise
     int columns = 0, rows = 0;
     std::vector<float> rowKnots, columnKnots;
     LixelRectangle square = {}; // lixels that are warped; around them guard bands stay
