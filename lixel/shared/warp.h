@@ -12,7 +12,7 @@
 // of the nearest row or column, so that guard bands stay.
 //
 // The includer provides the knots: in GLSL a function `float lxWarpKnot(int i)` before this file, in C++ a callable of the same
-// form as the template argument Knots.
+// form as the template argument Knots, which may be left out where no region has a warp.
 #ifndef LIXEL_SHARED_WARP_H
 #define LIXEL_SHARED_WARP_H
 #include "lixel/shared/shadow_tables.h"
@@ -20,10 +20,14 @@
 LX_SHARED_BEGIN
 
 #ifdef __cplusplus
+struct LxNoKnots
+{
+    float operator()(int) const { return 0.0f; }
+};
 #define LX_KNOTS_FN                                                                                                    \
-    template <typename Knots>                                                                                          \
+    template <typename Knots = LxNoKnots>                                                                              \
     inline
-#define LX_KNOTS , const Knots& lxWarpKnot
+#define LX_KNOTS , const Knots& lxWarpKnot = Knots()
 #define LX_PASS_KNOTS , lxWarpKnot
 #else
 #define LX_KNOTS_FN
@@ -164,6 +168,34 @@ LX_KNOTS_FN vec2 lxUnwarped(ShadowWarp warp, vec2 at LX_KNOTS)
     float y = lxWhereAlongLine(lxColumnLines(warp, at.x), int(warp.grid.z), at.y LX_PASS_KNOTS);
     float x = lxWhereAlongLine(lxRowLines(warp, y), int(warp.grid.y), at.x LX_PASS_KNOTS);
     return vec2(x, y);
+}
+
+// The two in lixels of the region's layer.
+LX_FN vec2 lxInSquare(ShadowWarp warp, vec2 lixel)
+{
+    return vec2((lixel.x - warp.square.x) / (warp.square.z - warp.square.x),
+                (lixel.y - warp.square.y) / (warp.square.w - warp.square.y));
+}
+
+LX_FN vec2 lxOfSquare(ShadowWarp warp, vec2 point)
+{
+    return vec2(warp.square.x + point.x * (warp.square.z - warp.square.x),
+                warp.square.y + point.y * (warp.square.w - warp.square.y));
+}
+
+LX_KNOTS_FN LxWarped lxWarpedLixel(ShadowWarp warp, vec2 lixel LX_KNOTS)
+{
+    LxWarped w = lxWarped(warp, lxInSquare(warp, lixel) LX_PASS_KNOTS);
+    float heightPerWidth = (warp.square.w - warp.square.y) / (warp.square.z - warp.square.x);
+    w.at = lxOfSquare(warp, w.at);
+    w.alongX.y *= heightPerWidth;
+    w.alongY.x /= heightPerWidth;
+    return w;
+}
+
+LX_KNOTS_FN vec2 lxUnwarpedLixel(ShadowWarp warp, vec2 lixel LX_KNOTS)
+{
+    return lxOfSquare(warp, lxUnwarped(warp, lxInSquare(warp, lixel) LX_PASS_KNOTS));
 }
 
 LX_SHARED_END

@@ -16,13 +16,22 @@ float sharedKind(WarpLines lines)
 
 } // namespace
 
-shared::ShadowWarp appendWarp(const TextureWarp& warp, std::vector<float>& knots)
+shared::ShadowWarp tableRow(const TextureWarp& warp)
 {
     shared::ShadowWarp row;
     if (warp.isIdentity()) return row;
     row.kind.x = sharedKind(warp.lines);
-    row.grid = {float(knots.size()), float(warp.columns), float(warp.rows), float(knots.size() + warp.rowKnots.size())};
+    row.grid = {0, float(warp.columns), float(warp.rows), float(warp.rowKnots.size())};
     row.square = {float(warp.square.x0), float(warp.square.y0), float(warp.square.x1), float(warp.square.y1)};
+    return row;
+}
+
+shared::ShadowWarp appendWarp(const TextureWarp& warp, std::vector<float>& knots)
+{
+    shared::ShadowWarp row = tableRow(warp);
+    if (warp.isIdentity()) return row;
+    row.grid.x += float(knots.size());
+    row.grid.w += float(knots.size());
     knots.insert(knots.end(), warp.rowKnots.begin(), warp.rowKnots.end());
     knots.insert(knots.end(), warp.columnKnots.begin(), warp.columnKnots.end());
     return row;

@@ -37,6 +37,23 @@ struct TextureWarp
     friend bool operator==(const TextureWarp&, const TextureWarp&) = default;
 };
 
+// The warp as shaders read it, by itself: its rows' knots first, then its columns'.
+shared::ShadowWarp tableRow(const TextureWarp& warp);
+
+// Its knots in that order, for the functions of lixel/shared/warp.h.
+struct KnotsOf
+{
+    const float* rowKnots;
+    const float* columnKnots;
+    int countOfRows;
+
+    float operator()(int i) const { return i < countOfRows ? rowKnots[i] : columnKnots[i - countOfRows]; }
+};
+inline KnotsOf knotsOf(const TextureWarp& warp)
+{
+    return {warp.rowKnots.data(), warp.columnKnots.data(), int(warp.rowKnots.size())};
+}
+
 // Of the region's row of the table: its knots are appended to the table of all.
 shared::ShadowWarp appendWarp(const TextureWarp& warp, std::vector<float>& knots);
 
