@@ -7,6 +7,7 @@
 #include "lixel/shared/shading.h"
 #include "lixel/shared/shadow_tables.h"
 #include "lixel/shared/view_tables.h"
+#include "lixel/shared/warp_raster.h"
 
 #include <epoxy/gl.h>
 
@@ -143,6 +144,15 @@ TEST_F(LayoutTest, SdsmTablesLieAsInCpp)
         programWith("lixel/shared/sdsm.h", "SdsmCasters", kStorage, "row.onPlane.x + row.depth.x");
     LX_EXPECT_MEMBER(casters, GL_BUFFER_VARIABLE, shared::SdsmCasters, onPlane);
     LX_EXPECT_MEMBER(casters, GL_BUFFER_VARIABLE, shared::SdsmCasters, depth);
+}
+
+TEST_F(LayoutTest, WarpRasterTablesLieAsInCpp)
+{
+    const ProgramName setup =
+        programWith("lixel/shared/warp_raster.h", "WarpRasterSetup", kUniform, "row.size.x + row.levels[3].x");
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::WarpRasterSetup, size);
+    expectOffset(setup, GL_UNIFORM, "levels[0]", offsetof(shared::WarpRasterSetup, levels),
+                 sizeof(shared::WarpRasterSetup));
 }
 
 TEST_F(LayoutTest, ShadingLightsLieAsInCpp)

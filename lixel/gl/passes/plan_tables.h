@@ -18,6 +18,9 @@ public:
     void upload(const FramePlan& plan);
     void bind() const; // kStorageRegions, kStorageHalfSpaces, kStorageLights, kStorageWarps
 
+    // One region's row by itself, on the device, to be read as a uniform block.
+    void copyRegion(std::size_t index, Buffer& to) const;
+
     // The tables as they are there, where the device has made some of them; waits for it.
     struct Content
     {
