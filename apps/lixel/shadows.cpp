@@ -118,7 +118,8 @@ ServedFootprints::ServedFootprints(const View& view, Vec3d originWorld, const Sh
     : view_(view), originWorld_(originWorld)
 {
     for (const PlannedRegion& region : plan.regions)
-        served_.push_back({LightImage(region.lightClipFromLocal, region.rectangle), region.halfSpacesLocal});
+        served_.push_back(
+            {LightImage(region.lightClipFromLocal, region.rectangle, &region.warp), region.halfSpacesLocal});
 }
 
 std::optional<Footprint> ServedFootprints::at(Vec3d pointLocal, Vec3d normal) const

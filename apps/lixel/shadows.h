@@ -58,7 +58,7 @@ PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, c
 std::vector<Visibility> visibilityByRays(const Technique& technique, const Stage& stage, const View& view,
                                          const ViewSamples& samples, std::span<const Light> lights);
 
-// Footprints in the light image that serves a point: of the first region that holds it.
+// Footprints in the light image that serves a point: of the first region that holds it. The plan must outlive it.
 class ServedFootprints
 {
 public:

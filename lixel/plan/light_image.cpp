@@ -1,27 +1,53 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/light_image.h"
 
-namespace lixel {
+#include "lixel/plan/warp/texture_warp.h"
 
-LightImage::LightImage(const Mat4d& lightClipFromLocal, const LixelRectangle& rectangle)
-    : lightClipFromLocal_(lightClipFromLocal), localFromLightClip_(inverse(lightClipFromLocal)), rectangle_(rectangle)
+namespace lixel {
+namespace {
+
+shared::vec2 toShared(Vec2d p) { return {float(p.x), float(p.y)}; }
+
+} // namespace
+
+LightImage::LightImage(const Mat4d& lightClipFromLocal, const LixelRectangle& rectangle, const TextureWarp* warp)
+    : lightClipFromLocal_(lightClipFromLocal),
+      localFromLightClip_(inverse(lightClipFromLocal)),
+      rectangle_(rectangle),
+      warp_(warp && !warp->isIdentity() ? warp : nullptr)
 {
+}
+
+// The fit alone, in lixels of the rectangle.
+Vec3d LightImage::unwarpedAt(Vec4d clip) const
+{
+    return {rectangle_.x0 + (0.5 + 0.5 * clip.x / clip.w) * rectangle_.width(),
+            rectangle_.y0 + (0.5 + 0.5 * clip.y / clip.w) * rectangle_.height(), clip.z / clip.w};
 }
 
 std::optional<Vec3d> LightImage::lixelAt(Vec3d pointLocal) const
 {
     const Vec4d clip = lightClipFromLocal_ * point(pointLocal);
     if (!(clip.w > 0)) return std::nullopt;
-    const Vec3d lixel{rectangle_.x0 + (0.5 + 0.5 * clip.x / clip.w) * rectangle_.width(),
-                      rectangle_.y0 + (0.5 + 0.5 * clip.y / clip.w) * rectangle_.height(), clip.z / clip.w};
+    Vec3d lixel = unwarpedAt(clip);
     const bool isInside =
         lixel.x >= rectangle_.x0 && lixel.x < rectangle_.x1 && lixel.y >= rectangle_.y0 && lixel.y < rectangle_.y1;
-    return isInside ? std::optional(lixel) : std::nullopt;
+    if (!isInside) return std::nullopt;
+    if (warp_) {
+        const shared::LxWarped warped =
+            shared::lxWarpedLixel(tableRow(*warp_), toShared({lixel.x, lixel.y}), knotsOf(*warp_));
+        lixel.x = warped.at.x, lixel.y = warped.at.y;
+    }
+    return lixel;
 }
 
 std::optional<LightRay> LightImage::rayThrough(Vec2d lixel) const
 {
     if (!localFromLightClip_) return std::nullopt;
+    if (warp_) {
+        const shared::vec2 unwarped = shared::lxUnwarpedLixel(tableRow(*warp_), toShared(lixel), knotsOf(*warp_));
+        lixel = {unwarped.x, unwarped.y};
+    }
     const double x = 2 * (lixel.x - rectangle_.x0) / rectangle_.width() - 1;
     const double y = 2 * (lixel.y - rectangle_.y0) / rectangle_.height() - 1;
     // From the near side to the far side; homogeneous, so that a far side at infinity gives a direction.
@@ -41,7 +67,14 @@ LightImage::Tangents LightImage::tangents(Vec3d pointLocal, Vec3d first, Vec3d s
         const Vec3d d = (1 / clip.w) * (xyz(change) - change.w * ndc);
         return Vec3d{0.5 * rectangle_.width() * d.x, 0.5 * rectangle_.height() * d.y, d.z};
     };
-    return {along(first), along(second)};
+    if (!warp_) return {along(first), along(second)};
+    const Vec3d unwarped = unwarpedAt(clip);
+    const shared::LxWarped w =
+        shared::lxWarpedLixel(tableRow(*warp_), toShared({unwarped.x, unwarped.y}), knotsOf(*warp_));
+    const auto warped = [&](Vec3d d) {
+        return Vec3d{d.x * w.alongX.x + d.y * w.alongY.x, d.x * w.alongX.y + d.y * w.alongY.y, d.z};
+    };
+    return {warped(along(first)), warped(along(second))};
 }
 
 } // namespace lixel

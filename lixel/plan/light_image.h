@@ -18,6 +18,8 @@ struct LixelRectangle
     friend bool operator==(const LixelRectangle&, const LixelRectangle&) = default;
 };
 
+struct TextureWarp; // warp/texture_warp.h
+
 // A ray of light in Local space: a point of it and the way light travels, not normalised.
 struct LightRay
 {
@@ -25,12 +27,14 @@ struct LightRay
     Vec3d directionLocal;
 };
 
-// The image that a light has of a region: the fit, then the warp (none yet: the identity), in its rectangle of the atlas.
-// Continuous lixel coordinates count from the layer's corner; lixel (i, j) has its centre at (i + 1/2, j + 1/2).
+// The image that a light has of a region: the fit, then the warp, in its rectangle of the atlas.
+// Continuous lixel coordinates count from the layer's corner; lixel (i, j) has its centre at (i + 1/2, j + 1/2). Warps are those of
+// lixel/shared/warp.h, in float as lookups have them, so that the ray through a lixel is the very one that lookups take a tap for.
 class LightImage
 {
 public:
-    LightImage(const Mat4d& lightClipFromLocal, const LixelRectangle& rectangle);
+    // The warp is kept by address; null: none.
+    LightImage(const Mat4d& lightClipFromLocal, const LixelRectangle& rectangle, const TextureWarp* warp = nullptr);
 
     // x, y: lixel; z: NDC depth in [-1, +1], growing away from the light. Nothing where w <= 0 or outside the rectangle.
     std::optional<Vec3d> lixelAt(Vec3d pointLocal) const;
@@ -47,9 +51,12 @@ public:
     Tangents tangents(Vec3d pointLocal, Vec3d first, Vec3d second) const;
 
 private:
+    Vec3d unwarpedAt(Vec4d clip) const;
+
     Mat4d lightClipFromLocal_;
     std::optional<Mat4d> localFromLightClip_;
     LixelRectangle rectangle_;
+    const TextureWarp* warp_; // null: the identity
 };
 
 } // namespace lixel

@@ -50,6 +50,7 @@ void appendTables(const ShadowPlan& light, FramePlan& plan)
         entry.place.z = float(region.halfSpacesLocal.size());
         for (const Plane& p : region.halfSpacesLocal)
             plan.halfSpaceTable.push_back({float(p.normal.x), float(p.normal.y), float(p.normal.z), float(p.offset)});
+        entry.warp = appendWarp(region.warp, plan.warpTable);
         plan.regionTable.push_back(entry);
     }
     plan.lightTable.push_back(row);
@@ -122,6 +123,7 @@ FramePlan planShadows(const PlanInput& input, FitScratch& scratch, FramePlan rec
     plan.regionTable.clear();
     plan.halfSpaceTable.clear();
     plan.lightTable.clear();
+    plan.warpTable.clear();
     plan.layers = 0;
 
     Box sceneWorld;

@@ -12,6 +12,7 @@
 #include "lixel/plan/lookup/lookup.h"
 #include "lixel/plan/partition/find_planes.h"
 #include "lixel/plan/technique.h"
+#include "lixel/plan/warp/texture_warp.h"
 #include "lixel/shared/shadow_tables.h"
 
 #include <optional>
@@ -84,6 +85,7 @@ struct PlannedRegion
     std::optional<PixelRectangle> pixels = {}; // of a map with a lixel a pixel: those, its guard band not among them
     std::optional<Plane> pixelPlaneLocal = {}; // of such a map: the plane, its unit normal towards the light
     RememberedMap fit = {};                    // that was placed here, for the next frame
+    TextureWarp warp = {};                     // after the matrix
 };
 
 // What was decided for one light.
@@ -109,6 +111,7 @@ struct FramePlan
     std::vector<shared::ShadowRegion> regionTable;
     std::vector<shared::vec4> halfSpaceTable; // xyz, w: inside where dot(xyz, pointLocal) + w >= 0
     std::vector<shared::ShadowLight> lightTable;
+    std::vector<float> warpTable; // knots of all warps (lixel/shared/warp.h)
 
     std::int64_t lixelsOf(std::size_t light) const; // every lixel allocated for it
 };

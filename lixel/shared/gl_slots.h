@@ -28,11 +28,23 @@ const int kStorageShadingLights = 10;
 const int kStorageCells = 11;
 const int kStorageSdsm = 12;
 const int kStorageSdsmCasters = 13;
+const int kStorageWarps = 14;
+const int kStorageUv = 15;
+const int kStorageColours = 16;
+const int kStorageWarpBounds = 17;
+const int kStorageWarpRays = 18;
+const int kStorageWarpSpans = 19;
+const int kStorageWarpQueues = 20;
+const int kStorageWarpQueued = 21;
+const int kStorageWarpDepths = 22;
+const int kStorageWarpRuns = 23;
 
 // Uniform buffers.
 const int kUniformView = 0;
 const int kUniformBatch = 1;
 const int kUniformSdsm = 2;
+const int kUniformRegion = 3;
+const int kUniformWarpRaster = 4;
 
 // Texture units.
 const int kUnitSurface = 0;

@@ -3,13 +3,14 @@
 //
 //   float visibility = lixelVisibility(light, positionLocal, normal, tapsPerSide);
 //
-// Installed as one file without #include. The host defines the four functions declared below, anywhere, from wherever it keeps
+// Installed as one file without #include. The host defines the five functions declared below, anywhere, from wherever it keeps
 // the tables of FramePlan and the maps that it has drawn.
 #include "lixel/shared/shadow_tables.h"
 
 ShadowRegion lxRegionAt(int index);  // FramePlan::regionTable
 vec4 lxHalfSpaceAt(int index);       // FramePlan::halfSpaceTable
 ShadowLight lxLightAt(int index);    // FramePlan::lightTable
+float lxWarpKnot(int index);         // FramePlan::warpTable; never called, and may give 0, where no technique has a warp
 
 // The depth stored for lixel (x, y) of a layer of the atlas, as 1 at the near side and 0 at the far side and where nothing was
 // drawn; y counts from the bottom. A host that stores 0 at the near side gives 1 - depth; one whose row 0 is at the top

@@ -2,25 +2,29 @@
 // From a receiver to its visibility through one region: one text for the CPU executor and for GLSL.
 //
 // The includer provides the map: in GLSL a function `float lxStoredDepth(int x, int y, int layer)` before this file, in C++ a
-// callable of the same form as the template argument Map.
+// callable of the same form as the template argument Map. Likewise the knots of warps (warp.h). Where no region has a warp, GLSL may
+// define LIXEL_NO_WARP: drivers that run both sides of a branch then spend nothing on it.
 #ifndef LIXEL_SHARED_LOOKUP_H
 #define LIXEL_SHARED_LOOKUP_H
 #include "lixel/shared/light_clip.h"
+#include "lixel/shared/warp.h"
 
 LX_SHARED_BEGIN
 
 // A receiver in the light image.
 struct LxReceiver
 {
-    vec2 lixel;         // continuous
-    vec2 at;            // continuous lixel of `depth`: its own, but for what lies on the region's plane
+    vec2 lixel;         // continuous, warped: where it is in the map
+    vec2 at;            // continuous, unwarped lixel of `depth`: its own, but for what lies on the region's plane
     float depth;        // reversed: 1 near, 0 far
-    vec2 depthPerLixel; // of the receiver's plane
-    float margin;       // lixels of depthPerLixel that a stored depth must be nearer by
+    vec2 depthPerLixel; // of the receiver's plane, which is linear in unwarped lixels
+    vec2 steepness;     // what its depth changes by over a lixel of the map, along x and along y; not below 0
+    float margin;       // lixels of the map that a stored depth must be nearer by
     float isOnPlane;    // 1 on the plane that the region's lixels are the pixels of, else 0
     float slack;        // depth that rounding may have moved the receiver or the map by
     float slackBeside;  // further slack for taps of other lixels: what is called one plane may be a little rough
     float isInside;     // 1 where the region serves it and before its far side, else 0
+    ShadowWarp warp;    // the region's
 };
 
 // Rounding of one float product and sum, with room for the matrix, the point and the rasterizer's interpolation.
@@ -51,7 +55,20 @@ LX_FN bool lxHolds(vec4 halfSpace, vec3 positionLocal)
     return x + y + z + halfSpace.w >= -LX_ROUNDING * (abs(x) + abs(y) + abs(z) + abs(halfSpace.w));
 }
 
-LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
+// Moves a receiver to its place in a warped map. Rounding: taps are taken back to unwarped lixels by floats.
+LX_KNOTS_FN LxReceiver lxWarpedReceiver(LxReceiver r LX_KNOTS)
+{
+    LxWarped w = lxWarpedLixel(r.warp, r.lixel LX_PASS_KNOTS);
+    float area = w.alongX.x * w.alongY.y - w.alongX.y * w.alongY.x;
+    vec2 g = r.depthPerLixel;
+    r.steepness =
+        vec2(abs(g.x * w.alongY.y - g.y * w.alongX.y) / area, abs(g.y * w.alongX.x - g.x * w.alongY.x) / area);
+    r.slack += LX_ROUNDING * (abs(g.x) * r.warp.square.z + abs(g.y) * r.warp.square.w);
+    r.lixel = w.at;
+    return r;
+}
+
+LX_KNOTS_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal LX_KNOTS)
 {
     LxReceiver r;
     mat4 m = region.lightClipFromLocal;
@@ -81,6 +98,7 @@ LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
     float gx = isEdgeOn ? 0.0f : across.x / across.z;
     float gy = isEdgeOn ? 0.0f : across.y / across.z;
     r.depthPerLixel = vec2(-gx, -gy);
+    r.steepness = vec2(abs(gx), abs(gy));
 
     // What rounding may do: terms of each row against its sum.
     vec3 p = vec3(abs(positionLocal.x), abs(positionLocal.y), abs(positionLocal.z));
@@ -97,6 +115,7 @@ LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
     r.isInside = inside ? 1.0f : 0.0f;
     r.slack = isEdgeOn ? steepest : LX_ROUNDING * (errorZ + abs(gx) * errorX + abs(gy) * errorY);
     r.at = r.lixel;
+    r.warp = region.warp;
     r.margin = LX_HALF_LIXEL + LX_SNAP;
     r.isOnPlane = 0.0f;
     r.slackBeside = 0.0f;
@@ -115,6 +134,7 @@ LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
         r.at = vec2(region.lixelFromNdc.z, region.lixelFromNdc.w);
         r.depth = region.planeDepth.x + depthPerHeight * height;
         r.depthPerLixel = vec2(region.planeDepth.y, region.planeDepth.z);
+        r.steepness = vec2(abs(region.planeDepth.y), abs(region.planeDepth.z));
         float depths = abs(region.planeDepth.x) + abs(region.planeDepth.y) * region.lixelFromNdc.x +
                        abs(region.planeDepth.z) * region.lixelFromNdc.y;
         r.slack = LX_PLANE_ROUNDING * (depths + depthPerHeight * terms);
@@ -122,17 +142,24 @@ LX_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal)
         r.margin = LX_SNAP;
         r.isOnPlane = 1.0f;
     }
+#ifndef LIXEL_NO_WARP
+    if (region.warp.kind.x != LX_WARP_NONE) return lxWarpedReceiver(r LX_PASS_KNOTS);
+#endif
     return r;
 }
 
 // The depth that a stored depth must exceed (be nearer than) to shadow the receiver, for the tap whose lixel has its centre at
-// `centre`: the receiver's plane there, nearer by what it changes over half a lixel. The plane alone keeps planes and convex
+// `centre`: the receiver's plane there (of a warped map: on the ray that the lixel was drawn with), nearer by what it changes over half a lixel. The plane alone keeps planes and convex
 // bodies free of shadows of their own; the half lixel covers bodies that curve towards the light within one, and is not needed
 // on a plane that the map is made for. Not below 0, which is what an empty lixel holds.
-LX_FN float lxShadowingDepth(LxReceiver r, vec2 centre)
+LX_KNOTS_FN float lxShadowingDepth(LxReceiver r, vec2 centre LX_KNOTS)
 {
-    float planeDepth = r.depth + r.depthPerLixel.x * (centre.x - r.at.x) + r.depthPerLixel.y * (centre.y - r.at.y);
-    float margin = (abs(r.depthPerLixel.x) + abs(r.depthPerLixel.y)) * r.margin;
+    vec2 ray = centre;
+#ifndef LIXEL_NO_WARP
+    if (r.warp.kind.x != LX_WARP_NONE) ray = lxUnwarpedLixel(r.warp, centre LX_PASS_KNOTS);
+#endif
+    float planeDepth = r.depth + r.depthPerLixel.x * (ray.x - r.at.x) + r.depthPerLixel.y * (ray.y - r.at.y);
+    float margin = (r.steepness.x + r.steepness.y) * r.margin;
     bool isBeside = max(abs(centre.x - r.lixel.x), abs(centre.y - r.lixel.y)) > LX_HALF_LIXEL;
     float slack = isBeside ? r.slack + r.slackBeside : r.slack;
     return max(planeDepth + margin + slack, 0.0f);
@@ -141,8 +168,9 @@ LX_FN float lxShadowingDepth(LxReceiver r, vec2 centre)
 // Visibility: the share of a square grid of taps, `side` by `side` lixels one lixel apart, that are lit. Taps stop at the
 // region's rectangle.
 #ifdef __cplusplus
-template <typename Map>
-inline float lxVisibility(ShadowRegion region, LxReceiver r, int side, const Map& lxStoredDepth)
+template <typename Map, typename Knots = LxNoKnots>
+inline float lxVisibility(ShadowRegion region, LxReceiver r, int side, const Map& lxStoredDepth,
+                          const Knots& lxWarpKnot = Knots())
 #else
 float lxVisibility(ShadowRegion region, LxReceiver r, int side)
 #endif
@@ -154,7 +182,7 @@ float lxVisibility(ShadowRegion region, LxReceiver r, int side)
             float x = clamp(floor(r.lixel.x + first + float(i)), region.rectangle.x, region.rectangle.z - 1.0f);
             float y = clamp(floor(r.lixel.y + first + float(j)), region.rectangle.y, region.rectangle.w - 1.0f);
             float stored = lxStoredDepth(int(x), int(y), int(region.place.x));
-            lit += stored > lxShadowingDepth(r, vec2(x + 0.5f, y + 0.5f)) ? 0.0f : 1.0f;
+            lit += stored > lxShadowingDepth(r, vec2(x + 0.5f, y + 0.5f) LX_PASS_KNOTS) ? 0.0f : 1.0f;
         }
     }
     return lit / float(side * side);

@@ -6,6 +6,19 @@
 
 LX_SHARED_BEGIN
 
+// How a texture warp's functions stand in the table of knots (lixel/shared/warp.h).
+const float LX_WARP_NONE = 0.0f;
+const float LX_WARP_RECTILINEAR = 1.0f;  // one function for all rows, one for all columns
+const float LX_WARP_NEAREST = 2.0f;      // one a row and one a column; a point takes those of its row and its column
+const float LX_WARP_INTERPOLATED = 3.0f; // it takes those between the middles of the nearest two
+struct ShadowWarp
+{
+    vec4 kind; // x: one of these; yzw: 0
+    vec4 grid; // x: first knot of the rows' functions; y: columns; z: rows; w: first knot of the columns' functions
+    vec4
+        square; // least and greatest x, y, in lixels of the layer, of the square that is warped: the rectangle without guard bands
+};
+
 // One region's way from Local space into its rectangle of the atlas.
 struct ShadowRegion
 {
@@ -23,6 +36,7 @@ struct ShadowRegion
     // with the w of lightClipFromLocal.
     vec4 plane;
     vec4 planeDepth;
+    ShadowWarp warp; // after the matrix; lixelFromNdc counts unwarped lixels
 };
 
 // One light: which regions serve it, in their order.

@@ -27,7 +27,7 @@ class RegionTracer
 public:
     RegionTracer(const TraceScene& scene, const PlannedRegion& region)
         : scene_(scene),
-          image_(region.lightClipFromLocal, region.rectangle),
+          image_(region.lightClipFromLocal, region.rectangle, &region.warp),
           depthFromLocal_(toHost(region.lightClipFromLocal, kExecutorConvention)),
           rectangle_(region.rectangle)
     {

@@ -36,6 +36,7 @@ TracedAtlas traceAtlas(const TraceScene& scene, const FramePlan& plan)
 Visibility lookUp(const FramePlan& plan, const TracedAtlas& atlas, const ViewSamples& samples, std::size_t light)
 {
     LX_ASSERT(samples.originWorld == plan.originWorld && light < plan.lightTable.size());
+    const auto warpKnot = [&](int i) { return plan.warpTable[std::size_t(i)]; };
     const auto storedDepth = [&](int x, int y, int layer) { return atlas[std::size_t(layer)](x, y); };
     const shared::vec4 served = plan.lightTable[light].regions;
     const std::span<const shared::ShadowRegion> allRegions = plan.regionTable;
@@ -47,10 +48,12 @@ Visibility lookUp(const FramePlan& plan, const TracedAtlas& atlas, const ViewSam
             const shared::vec3 positionLocal = toShared(samples.positionLocal[i]);
             for (const shared::ShadowRegion& region : regions) {
                 if (!isWithinHalfSpaces(plan, region, positionLocal)) continue;
-                shared::LxReceiver receiver = shared::lxReceive(region, positionLocal, toShared(samples.normal[i]));
+                shared::LxReceiver receiver =
+                    shared::lxReceive(region, positionLocal, toShared(samples.normal[i]), warpKnot);
                 if (receiver.isInside == 0) continue;
                 if (receiver.isOnPlane != 0) receiver.margin = 0; // rays need no room for a rasterizer's grid
-                visibility.value[i] = shared::lxVisibility(region, receiver, plan.lookup.tapsPerSide, storedDepth);
+                visibility.value[i] =
+                    shared::lxVisibility(region, receiver, plan.lookup.tapsPerSide, storedDepth, warpKnot);
                 visibility.unserved[i] = 0;
                 break;
             }

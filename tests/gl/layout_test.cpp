@@ -7,6 +7,7 @@
 #include "lixel/shared/shading.h"
 #include "lixel/shared/shadow_tables.h"
 #include "lixel/shared/view_tables.h"
+#include "lixel/shared/warp_raster.h"
 
 #include <epoxy/gl.h>
 
@@ -71,7 +72,7 @@ TEST_F(LayoutTest, ShadowTablesLieAsInCpp)
     const ProgramName region = programWith(
         "lixel/shared/shadow_tables.h", "ShadowRegion", kStorage,
         "row.lightClipFromLocal[0].x + row.lightClipLow[0].x + row.lixelFromNdc.x + row.rectangle.x + row.place.x + "
-        "row.plane.x + row.planeDepth.x");
+        "row.plane.x + row.planeDepth.x + row.warp.kind.x + row.warp.grid.x + row.warp.square.x");
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, lightClipFromLocal);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, lightClipLow);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, lixelFromNdc);
@@ -79,6 +80,9 @@ TEST_F(LayoutTest, ShadowTablesLieAsInCpp)
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, place);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, plane);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, planeDepth);
+    LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, warp.kind);
+    LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, warp.grid);
+    LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, warp.square);
     const std::string matrix = "rows[0].lightClipFromLocal";
     EXPECT_EQ(property(region, GL_BUFFER_VARIABLE, matrix, GL_MATRIX_STRIDE), GLint(sizeof(shared::vec4)));
     EXPECT_EQ(property(region, GL_BUFFER_VARIABLE, matrix, GL_IS_ROW_MAJOR), 0);
@@ -140,6 +144,15 @@ TEST_F(LayoutTest, SdsmTablesLieAsInCpp)
         programWith("lixel/shared/sdsm.h", "SdsmCasters", kStorage, "row.onPlane.x + row.depth.x");
     LX_EXPECT_MEMBER(casters, GL_BUFFER_VARIABLE, shared::SdsmCasters, onPlane);
     LX_EXPECT_MEMBER(casters, GL_BUFFER_VARIABLE, shared::SdsmCasters, depth);
+}
+
+TEST_F(LayoutTest, WarpRasterTablesLieAsInCpp)
+{
+    const ProgramName setup =
+        programWith("lixel/shared/warp_raster.h", "WarpRasterSetup", kUniform, "row.size.x + row.levels[3].x");
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::WarpRasterSetup, size);
+    expectOffset(setup, GL_UNIFORM, "levels[0]", offsetof(shared::WarpRasterSetup, levels),
+                 sizeof(shared::WarpRasterSetup));
 }
 
 TEST_F(LayoutTest, ShadingLightsLieAsInCpp)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "graphics.h"
 #include "shadow_drawer.h"
+#include "warped_plans.h"
 
 #include "lixel/gl/caster_shader.h"
 #include "lixel/gl/device/program.h"
@@ -150,8 +151,8 @@ private:
     gl::ProgramName program_;
 };
 
-// As many lights as need two calls.
-void expectSameMapsBothWays(ShadowDrawer& draw, Rng& rng, const LocalTriangles& triangles)
+// As many lights as need two calls; with warps of their vertices, where asked for.
+void expectSameMapsBothWays(ShadowDrawer& draw, Rng& rng, const LocalTriangles& triangles, bool isWarped = false)
 {
     HostRenderer host(triangles, "");
     const SmallScene same = host.unpacked();
@@ -159,7 +160,8 @@ void expectSameMapsBothWays(ShadowDrawer& draw, Rng& rng, const LocalTriangles& 
     const View view = anyViewOf(rng, box.centre(), 0.5 * box.diagonal(), 64, 64);
     std::vector<Light> lights;
     for (int i = 0; i < 20; ++i) lights.push_back(anyLightOn(rng, box.centre(), 0.5 * box.diagonal()));
-    const FramePlan plan = planFor(same, view, lights, {64, 48});
+    FramePlan plan = planFor(same, view, lights, {64, 48});
+    if (isWarped) warpRegions(plan, rng, WarpRaster::Vertices);
     const TracedAtlas throughBuffers = draw.drawAtlas(plan, same.casters());
     const TracedAtlas throughCallback = draw.drawAtlas(plan, host.casters());
     ASSERT_EQ(throughBuffers.size(), throughCallback.size());
@@ -173,6 +175,32 @@ TEST_F(LightDepthTest, AHostsOwnShaderAndVertexFormatGiveTheMapThatBuffersGive)
     ShadowDrawer draw(device());
     forEachCase(10,
                 [&](Rng& rng) { expectSameMapsBothWays(draw, rng, flatten(anyObjectsOnAFloor(rng, 1).casters())); });
+}
+
+TEST_F(LightDepthTest, AHostsVerticesAreMovedByWarpsAsThoseOfBuffersAre)
+{
+    ShadowDrawer draw(device());
+    forEachCase(
+        10, [&](Rng& rng) { expectSameMapsBothWays(draw, rng, flatten(anyObjectsOnAFloor(rng, 1).casters()), true); });
+}
+
+TEST_F(LightDepthTest, AHostsCastersAreRefusedByNameWhereMapsAreExactUnderAWarp)
+{
+    ShadowDrawer draw(device());
+    Rng rng(5);
+    const SmallScene scene = anyObjectsOnAFloor(rng, 1);
+    HostRenderer host(flatten(scene.casters()), "");
+    const View view = perspectiveView({0, 2, 2}, {0, 0, 0}, {0, 1, 0}, 1, 0.1, 10, 64, 64);
+    const Light sun;
+    FramePlan plan = planFor(scene, view, {&sun, 1}, {64, 64});
+    plan.lights[0].regions[0].warp = smoothWarp(plan.lights[0].regions[0].rectangle, 16, 2, rng);
+    rebuildWarps(plan);
+    try {
+        draw.drawAtlas(plan, host.casters());
+        FAIL() << "they were drawn";
+    } catch (const gl::GraphicsError& error) {
+        EXPECT_NE(std::string(error.what()).find("raster=vertices"), std::string::npos) << error.what();
+    }
 }
 
 TEST_F(LightDepthTest, BunniesThroughTheCallbackAreTheBunniesOfTheBuffers)

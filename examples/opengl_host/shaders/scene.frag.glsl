@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Forward lighting, behind lixel_lookup.glsl, whose four questions are answered first.
+// Forward lighting, behind lixel_lookup.glsl, whose five questions are answered first.
 layout(std430, binding = 0) readonly buffer Regions { ShadowRegion regions[]; };
 layout(std430, binding = 1) readonly buffer HalfSpaces { vec4 halfSpaces[]; };
 layout(std430, binding = 2) readonly buffer ShadowLights { ShadowLight shadowLights[]; };
@@ -7,6 +7,7 @@ uniform sampler2DArray atlas;
 
 ShadowRegion lxRegionAt(int index) { return regions[index]; }
 vec4 lxHalfSpaceAt(int index) { return halfSpaces[index]; }
+float lxWarpKnot(int index) { return 0.0; } // it draws maps without a warp only
 ShadowLight lxLightAt(int index) { return shadowLights[index]; }
 float lxStoredDepth(int x, int y, int layer) { return texelFetch(atlas, ivec3(x, y, layer), 0).r; }
 

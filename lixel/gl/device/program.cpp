@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <vector>
 
 namespace lixel::gl {
 namespace {
@@ -51,9 +52,14 @@ ProgramName linkShaders(std::span<const ShaderName> shaders, const std::string& 
 
 Program Program::graphics(const Files& files, std::span<const std::string> defines)
 {
-    std::array<ShaderName, 2> shaders{
-        compileShader(GL_VERTEX_SHADER, assembleShader(kFolder + files.vertex, defines)),
-        compileShader(GL_FRAGMENT_SHADER, assembleShader(kFolder + files.fragment, defines))};
+    std::vector<ShaderName> shaders;
+    const auto add = [&](std::uint32_t stage, const std::string& file) {
+        if (!file.empty()) shaders.push_back(compileShader(stage, assembleShader(kFolder + file, defines)));
+    };
+    add(GL_VERTEX_SHADER, files.vertex);
+    add(GL_TESS_CONTROL_SHADER, files.control);
+    add(GL_TESS_EVALUATION_SHADER, files.evaluation);
+    add(GL_FRAGMENT_SHADER, files.fragment);
     return Program(linkShaders(shaders, files.vertex + " and " + files.fragment));
 }
 

@@ -15,7 +15,8 @@ class Program
 public:
     struct Files
     {
-        std::string vertex, fragment; // of lixel/gl/shaders, by name ("scene.vert.glsl")
+        std::string vertex, fragment;              // of lixel/gl/shaders, by name ("scene.vert.glsl")
+        std::string control = {}, evaluation = {}; // of tessellation, both or none
     };
 
     Program() = default;

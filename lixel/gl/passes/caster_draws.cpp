@@ -35,18 +35,20 @@ bool isOutside(std::span<const Plane> volume, const Box& box)
 } // namespace
 
 void CasterDraws::list(std::span<const CasterRun> runs, std::span<const std::vector<Plane>> volumes,
-                       std::uint32_t firstRegion)
+                       std::uint32_t firstRegion, std::uint32_t among)
 {
     LX_ASSERT(volumes.size() <= 32);
     groups_.clear(), commands_.clear(), instances_.clear();
     drawn_ = culled_ = 0;
+    if (volumes.size() < 32) among &= (1u << volumes.size()) - 1;
+    const auto most = std::uint64_t(std::popcount(among));
     for (const CasterRun& run : runs) {
         std::uint32_t regions = 0;
         for (std::size_t i = 0; i < volumes.size(); ++i)
-            if (!isOutside(volumes[i], run.boxLocal)) regions |= 1u << i;
+            if ((among >> i & 1u) != 0 && !isOutside(volumes[i], run.boxLocal)) regions |= 1u << i;
         const auto count = std::uint64_t(std::popcount(regions));
         drawn_ += count * run.triangleCount;
-        culled_ += (volumes.size() - count) * run.triangleCount;
+        culled_ += (most - count) * run.triangleCount;
         if (regions) add(run, regions, firstRegion);
     }
 }

@@ -38,8 +38,10 @@ class CasterDraws
 {
 public:
     // For regions [firstRegion, firstRegion + volumes.size()), at most 32; volumes[i] is casterVolume() of region firstRegion + i.
+    // Only regions whose bit is in `among` (bit i is region firstRegion + i) are drawn.
     // A run is left out of a region only where it lies outside by more than rounding on the way to the map could make up.
-    void list(std::span<const CasterRun> runs, std::span<const std::vector<Plane>> volumes, std::uint32_t firstRegion);
+    void list(std::span<const CasterRun> runs, std::span<const std::vector<Plane>> volumes, std::uint32_t firstRegion,
+              std::uint32_t among = ~0u);
 
     // Draws that share program and texture: [first, first + count) of commands().
     struct Group

@@ -21,12 +21,16 @@ public:
     void forget() { version_ = 0; }
 
 private:
+    bool areSameRasters(const FramePlan& plan) const;
+
     std::uint64_t version_ = 0; // 0: nothing is known of the maps
     std::size_t kindOfSource_ = 0;
     Vec3d originWorld_;
     LixelSize atlas_;
     int layers_ = 0;
     std::vector<shared::ShadowRegion> regions_;
+    std::vector<float> warps_;
+    std::vector<WarpRaster> rasters_; // of the regions
 };
 
 } // namespace lixel::gl

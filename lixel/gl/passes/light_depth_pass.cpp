@@ -41,15 +41,43 @@ std::vector<Plane> casterVolume(const Mat4d& lightClipFromLocal)
 }
 
 LightDepthPass::LightDepthPass(const Device& device, Output output)
-    : mostViewports_(std::min(device.limits().viewports, 32))
+    : output_(output), mostViewports_(std::min(device.limits().viewports, 32))
 {
-    const std::array<std::string, 1> masked{"MASKED"}, position{"POSITION"};
-    if (output == Output::DepthAndPosition) {
-        opaque_ = Program::graphics({"caster.vert.glsl", "opaque.frag.glsl"}, position);
-        return;
+    programsFor(Way::Plain);
+}
+
+LightDepthPass::Way LightDepthPass::wayInto(const PlannedRegion& region)
+{
+    if (region.warp.isIdentity()) return Way::Plain;
+    switch (region.warp.raster) {
+    case WarpRaster::Vertices: return Way::Moved;
+    case WarpRaster::Tessellate: return Way::Tessellated;
+    case WarpRaster::Exact: return Way::Exact;
     }
-    opaque_ = Program::graphics({"caster.vert.glsl", "opaque.frag.glsl"});
-    masked_ = Program::graphics({"caster.vert.glsl", "caster.frag.glsl"}, masked);
+    return Way::Exact;
+}
+
+const LightDepthPass::Programs& LightDepthPass::programsFor(Way way)
+{
+    Programs& programs = programs_[std::size_t(way)];
+    if (programs.opaque.name()) return programs;
+    std::vector<std::string> defines;
+    Program::Files opaque{"caster.vert.glsl", "opaque.frag.glsl"}, masked{"caster.vert.glsl", "caster.frag.glsl"};
+    if (way == Way::Plain) defines.push_back("LIXEL_NO_WARP");
+    if (way == Way::Tessellated) {
+        defines.push_back("LIXEL_TESSELLATE");
+        opaque.control = masked.control = "caster.tesc.glsl";
+        opaque.evaluation = masked.evaluation = "caster.tese.glsl";
+    }
+    if (output_ == Output::DepthAndPosition) {
+        defines.push_back("POSITION");
+        programs.opaque = Program::graphics(opaque, defines);
+        return programs;
+    }
+    programs.opaque = Program::graphics(opaque, defines);
+    defines.push_back("MASKED");
+    programs.masked = Program::graphics(masked, defines);
+    return programs;
 }
 
 void LightDepthPass::bindBatch(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas,
@@ -86,20 +114,42 @@ void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const 
 {
     LX_ASSERT(casters.originWorld() == plan.originWorld);
     drawn_ = culled_ = 0;
-    forEachBatch(plan, tables, atlas, [&](const Batch& batch) { drawSurfaces(plan, casters, batch, culling); });
+    const std::vector<const PlannedRegion*> regions = regionsOf(plan);
+    forEachBatch(plan, tables, atlas, [&](const Batch& batch) { drawSurfaces(regions, casters, batch, culling); });
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        if (wayInto(*regions[i]) != Way::Exact) continue;
+        LX_ASSERT(output_ == Output::Depth);
+        listCasters(regions, casters, {int(i), 1}, culling, 1);
+        exact_.run(plan, *regions[i], int(i), tables, casters, draws_, atlas);
+    }
 }
 
-void LightDepthPass::drawSurfaces(const FramePlan& plan, const Surfaces& casters, const Batch& batch, Culling culling)
+void LightDepthPass::listCasters(const std::vector<const PlannedRegion*>& regions, const Surfaces& casters,
+                                 const Batch& batch, Culling culling, std::uint32_t among)
 {
-    const std::vector<const PlannedRegion*> regions = regionsOf(plan);
     volumes_.assign(std::size_t(batch.count), {});
     for (std::size_t i = 0; i < volumes_.size() && culling == Culling::ByRegion; ++i)
         volumes_[i] = casterVolume(regions[std::size_t(batch.first) + i]->lightClipFromLocal);
-    draws_.list(casters.runs(), volumes_, std::uint32_t(batch.first));
+    draws_.list(casters.runs(), volumes_, std::uint32_t(batch.first), among);
     drawn_ += draws_.drawn();
     culled_ += draws_.culled();
-    if (draws_.commands().empty()) return;
+}
 
+void LightDepthPass::drawSurfaces(const std::vector<const PlannedRegion*>& regions, const Surfaces& casters,
+                                  const Batch& batch, Culling culling)
+{
+    for (const Way way : {Way::Plain, Way::Moved, Way::Tessellated}) {
+        std::uint32_t among = 0;
+        for (int i = 0; i < batch.count; ++i)
+            if (wayInto(*regions[std::size_t(batch.first + i)]) == way) among |= 1u << i;
+        if (among == 0) continue;
+        listCasters(regions, casters, batch, culling, among);
+        if (!draws_.commands().empty()) drawListed(way, casters, batch);
+    }
+}
+
+void LightDepthPass::drawListed(Way way, const Surfaces& casters, const Batch& batch)
+{
     // Room for the most there can be, so that a map that moves makes no buffer when it sees more than before.
     const std::size_t runs = casters.runs().size();
     commands_.reserve(runs * sizeof(DrawCommand));
@@ -109,15 +159,18 @@ void LightDepthPass::drawSurfaces(const FramePlan& plan, const Surfaces& casters
     casters.bindVertices(instances_);
     casters.bindMaterials();
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_.name());
+    const Programs& programs = programsFor(way);
+    const GLenum primitive = way == Way::Tessellated ? GL_PATCHES : GL_TRIANGLES;
+    if (way == Way::Tessellated) glPatchParameteri(GL_PATCH_VERTICES, 3);
     for (const CasterDraws::Group& group : draws_.groups()) {
         const bool isMasked = group.maskedRange >= 0;
-        LX_ASSERT(!isMasked || masked_.name());
-        (isMasked ? masked_ : opaque_).use();
+        LX_ASSERT(!isMasked || programs.masked.name());
+        (isMasked ? programs.masked : programs.opaque).use();
         if (isMasked) {
             const Surfaces::Wraps wraps = casters.bindTexture(casters.ranges()[std::size_t(group.maskedRange)]);
-            masked_.set(kSurfaceWrap, wraps.u, wraps.v);
+            programs.masked.set(kSurfaceWrap, wraps.u, wraps.v);
         }
-        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
+        glMultiDrawElementsIndirect(primitive, GL_UNSIGNED_INT,
                                     reinterpret_cast<const void*>(sizeof(DrawCommand) * std::uintptr_t(group.first)),
                                     GLsizei(group.count), sizeof(DrawCommand));
     }
@@ -128,6 +181,10 @@ void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const 
 {
     LX_ASSERT(casters.originWorld == plan.originWorld);
     const std::vector<const PlannedRegion*> regions = regionsOf(plan);
+    if (std::any_of(regions.begin(), regions.end(), [](const auto* region) { return wayInto(*region) == Way::Exact; }))
+        throw GraphicsError(
+            "casters that the host draws cannot be drawn exactly into a warped map; use raster=vertices or "
+            "raster=tessellate");
     drawn_ = culled_ = 0;
     std::vector<CasterView> views;
     forEachBatch(plan, tables, atlas, [&](const Batch& batch) {

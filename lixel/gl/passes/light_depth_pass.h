@@ -2,14 +2,21 @@
 #pragma once
 
 #include "lixel/gl/device/program.h"
+#include "lixel/gl/passes/exact_warp.h"
 #include "lixel/gl/passes/plan_tables.h"
 #include "lixel/gl/passes/surfaces.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace lixel::gl {
 
 // Draws the casters through every region of a plan into its rectangle of the atlas, as many regions at once as the device
 // has viewports. Geometry between the light and a region's near side is drawn at the near side. Casters from buffers that no
-// lixel of a region can see are left out of it.
+// lixel of a region can see are left out of it. Into warped maps casters are drawn as their warp says (WarpRaster); a host's get
+// there by their vertices, cut up if its program has lixel's stages for that, and exact maps of them throw GraphicsError.
 //   reads   PlanTables, Surfaces or a host's casters        writes   ShadowAtlas
 class LightDepthPass
 {
@@ -19,7 +26,7 @@ public:
     // what there is where the device alone knows the tables.
     enum class Culling { ByRegion, Off };
     // What is drawn: depth; or, to see what lixels really sample, also the Local position of the surface, into colour 0 of the atlas's
-    // framebuffer, w = 1. Holes and a host's casters are then not served.
+    // framebuffer, w = 1. Holes, warps and a host's casters are then not served.
     enum class Output { Depth, DepthAndPosition };
     explicit LightDepthPass(const Device& device, Output output = Output::Depth);
 
@@ -32,6 +39,11 @@ public:
     std::uint64_t trianglesDrawn() const { return drawn_; }
     std::uint64_t trianglesCulled() const { return culled_; }
 
+    std::size_t warpBytes() const
+    {
+        return exact_.bytes();
+    } // on the device, of what exact drawing into warped maps keeps
+
 private:
     // Regions [first, first + count) of the plan.
     struct Batch
@@ -41,9 +53,23 @@ private:
     template <typename Draw>
     void forEachBatch(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas, const Draw& draw);
     void bindBatch(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas, const Batch& batch);
-    void drawSurfaces(const FramePlan& plan, const Surfaces& casters, const Batch& batch, Culling culling);
+    // How casters get into a map: as they are, their vertices moved, cut up before that, or by rays.
+    enum class Way { Plain, Moved, Tessellated, Exact };
+    static Way wayInto(const PlannedRegion& region);
+    struct Programs
+    {
+        Program opaque, masked;
+    };
+    const Programs& programsFor(Way way);
+    void listCasters(const std::vector<const PlannedRegion*>& regions, const Surfaces& casters, const Batch& batch,
+                     Culling culling, std::uint32_t among);
+    void drawSurfaces(const std::vector<const PlannedRegion*>& regions, const Surfaces& casters, const Batch& batch,
+                      Culling culling);
+    void drawListed(Way way, const Surfaces& casters, const Batch& batch);
 
-    Program opaque_, masked_;
+    Output output_;
+    std::array<Programs, 3> programs_; // of the ways that draw; made when first needed
+    ExactWarp exact_;
     int mostViewports_ = 1;
     Buffer batch_, commands_, instances_;
     CasterDraws draws_;

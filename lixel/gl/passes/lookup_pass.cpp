@@ -7,8 +7,8 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
+#include <vector>
 
 namespace lixel::gl {
 namespace {
@@ -18,22 +18,28 @@ constexpr int kPointCount = 0, kLight = 1, kTapsPerSide = 2;
 
 } // namespace
 
-LookupPass::LookupPass() : inDouble_(Program::compute("lookup.comp.glsl"))
+const Program& LookupPass::programFor(bool isInDouble, bool isWarped)
 {
-    const std::array<std::string, 1> floats{"LIXEL_NO_DOUBLE"};
-    program_ = Program::compute("lookup.comp.glsl", floats);
+    Program& program = programs_[isInDouble][isWarped];
+    if (program.name()) return program;
+    std::vector<std::string> defines;
+    if (!isInDouble) defines.push_back("LIXEL_NO_DOUBLE");
+    if (!isWarped) defines.push_back("LIXEL_NO_WARP");
+    program = Program::compute("lookup.comp.glsl", defines);
+    return program;
 }
 
 void LookupPass::run(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas, const PointList& points,
-                     VisibilityList& visibility) const
+                     VisibilityList& visibility)
 {
     LX_ASSERT(points.originWorld() == plan.originWorld);
     visibility.resize(points, plan.lights.size());
     tables.bind();
     atlas.depth.bind(shared::kUnitAtlas);
-    const bool isInDouble = std::any_of(plan.regionTable.begin(), plan.regionTable.end(),
-                                        [](const shared::ShadowRegion& region) { return region.place.w > 0; });
-    const Program& program = isInDouble ? inDouble_ : program_;
+    const auto anyRegion = [&](auto is) { return std::any_of(plan.regionTable.begin(), plan.regionTable.end(), is); };
+    const bool isInDouble = anyRegion([](const shared::ShadowRegion& region) { return region.place.w > 0; });
+    const bool isWarped = anyRegion([](const shared::ShadowRegion& region) { return region.warp.kind.x > 0; });
+    const Program& program = programFor(isInDouble, isWarped);
     program.set(kTapsPerSide, plan.lookup.tapsPerSide);
     program.use();
     for (const PointList::Part& part : visibility.parts()) {

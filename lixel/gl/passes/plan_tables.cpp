@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/gl/passes/plan_tables.h"
 
+#include "lixel/base/assert.h"
 #include "lixel/gl/device/draw_state.h"
 #include "lixel/shared/gl_slots.h"
 
@@ -17,6 +18,7 @@ void PlanTables::upload(const FramePlan& plan)
     regions_.assign(std::span<const shared::ShadowRegion>(plan.regionTable));
     halfSpaces_.assign(std::span<const shared::vec4>(plan.halfSpaceTable));
     lights_.assign(std::span<const shared::ShadowLight>(plan.lightTable));
+    warps_.assign(std::span<const float>(plan.warpTable));
     regionCount_ = plan.regionTable.size(), halfSpaceCount_ = plan.halfSpaceTable.size();
 }
 
@@ -35,6 +37,15 @@ void PlanTables::bind() const
     regions_.bindStorage(shared::kStorageRegions);
     halfSpaces_.bindStorage(shared::kStorageHalfSpaces);
     lights_.bindStorage(shared::kStorageLights);
+    warps_.bindStorage(shared::kStorageWarps);
+}
+
+void PlanTables::copyRegion(std::size_t index, Buffer& to) const
+{
+    LX_ASSERT(index < regionCount_);
+    to.reserve(sizeof(shared::ShadowRegion));
+    glCopyNamedBufferSubData(regions_.name(), to.name(), GLintptr(index * sizeof(shared::ShadowRegion)), 0,
+                             sizeof(shared::ShadowRegion));
 }
 
 void ShadowAtlas::resize(const Device& device, const FramePlan& plan)

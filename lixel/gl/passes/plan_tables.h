@@ -16,7 +16,10 @@ class PlanTables
 {
 public:
     void upload(const FramePlan& plan);
-    void bind() const; // kStorageRegions, kStorageHalfSpaces, kStorageLights
+    void bind() const; // kStorageRegions, kStorageHalfSpaces, kStorageLights, kStorageWarps
+
+    // One region's row by itself, on the device, to be read as a uniform block.
+    void copyRegion(std::size_t index, Buffer& to) const;
 
     // The tables as they are there, where the device has made some of them; waits for it.
     struct Content
@@ -28,7 +31,7 @@ public:
 
 private:
     std::size_t regionCount_ = 0, halfSpaceCount_ = 0;
-    Buffer regions_, halfSpaces_, lights_;
+    Buffer regions_, halfSpaces_, lights_, warps_;
 };
 
 // The maps of all lights: one depth of 32 bits a lixel, 1 near, 0 far and empty.

@@ -192,11 +192,11 @@ void Surfaces::uploadAttributes(const LocalTriangles& triangles)
     normal_.assign(std::span<const Vec3f>(triangles.normal));
 
     const GLuint array = vertexArray_.get();
-    const bool hasUv = !triangles.uv.empty(), hasColour = !triangles.colour.empty(),
-               hasNormal = !triangles.normal.empty();
+    const bool hasNormal = !triangles.normal.empty();
+    hasUv_ = !triangles.uv.empty(), hasColour_ = !triangles.colour.empty();
     attribute<Vec3f>(array, shared::kAttributePosition, 3, positions_, true);
-    attribute<Vec2f>(array, shared::kAttributeUv, 2, hasUv ? uv_ : missing_, hasUv);
-    attribute<Vec4f>(array, shared::kAttributeColour, 4, hasColour ? colour_ : missing_, hasColour);
+    attribute<Vec2f>(array, shared::kAttributeUv, 2, hasUv_ ? uv_ : missing_, hasUv_);
+    attribute<Vec4f>(array, shared::kAttributeColour, 4, hasColour_ ? colour_ : missing_, hasColour_);
     attribute<Vec3f>(array, shared::kAttributeNormal, 3, hasNormal ? normal_ : missing_, hasNormal);
     if (!hasNormal) // the zero vector: the triangle's own normal is meant
         glVertexArrayVertexBuffer(array, shared::kAttributeNormal, missing_.name(), sizeof(Vec4f), 0);
@@ -274,6 +274,13 @@ void Surfaces::bindTriangles(std::uint32_t first, std::uint32_t count) const
     indices_.bindStorage(shared::kStorageIndices, 12 * std::size_t(first), bytes(12 * std::size_t(count)));
     triangleSource_.bindStorage(shared::kStorageTriangleSource, 4 * std::size_t(first), bytes(4 * std::size_t(count)));
     positions_.bindStorage(shared::kStoragePositions, 0, bytes(positionBytes_));
+}
+
+Surfaces::Strides Surfaces::bindVertexData() const
+{
+    (hasUv_ ? uv_ : missing_).bindStorage(shared::kStorageUv);
+    (hasColour_ ? colour_ : missing_).bindStorage(shared::kStorageColours);
+    return {hasUv_ ? 2 : 0, hasColour_ ? 4 : 0};
 }
 
 std::uint32_t Surfaces::trianglesPerBinding() const

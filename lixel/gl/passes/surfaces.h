@@ -40,6 +40,12 @@ public:
     void bindMaterials() const;
     // Indices and positions, for shaders that look triangles up: triangles [first, first + count), in drawing order.
     void bindTriangles(std::uint32_t first, std::uint32_t count) const;
+    // Their uv and colours, for such shaders; tells how many floats a vertex has of each, 0 where one value stands for all.
+    struct Strides
+    {
+        int uv = 0, colour = 0;
+    };
+    Strides bindVertexData() const;
     // How many triangles one bindTriangles() takes at most.
     std::uint32_t trianglesPerBinding() const;
 
@@ -74,6 +80,7 @@ private:
     Buffer positions_, uv_, colour_, normal_, missing_;
     Buffer indices_, triangleSource_, triangleMaterial_, materials_;
     std::size_t positionBytes_ = 0, materialBytes_ = 0;
+    bool hasUv_ = false, hasColour_ = false;
     struct SurfaceTexture
     {
         gl::Texture texture;

@@ -5,13 +5,16 @@
 //
 // Each caster is drawn instanced, one instance a view: instance i goes into region lixelFirstView + i of the plan, which is
 // CasterView::index of the first view meant. A host that has instances of its own calls lixelCasterInto() instead. Taken here:
-// output location 0, shader storage binding kStorageRegions, uniform binding kUniformBatch (lixel/shared/gl_slots.h).
-#extension GL_ARB_shader_viewport_layer_array : require
+// output locations 0, 4 and 5, shader storage bindings kStorageRegions and kStorageWarps, uniform binding kUniformBatch
+// (lixel/shared/gl_slots.h). A host without warps may define LIXEL_NO_WARP before; LIXEL_TESSELLATE is defined where the stages of
+// caster.tesc.glsl and caster.tese.glsl follow.
+#ifdef LIXEL_TESSELLATE
 #include "lixel/shared/gl_slots.h"
-#include "lixel/shared/light_clip.h"
-
-layout(std430, binding = kStorageRegions) readonly buffer LixelRegions { ShadowRegion lixelRegions[]; };
-layout(std140, binding = kUniformBatch) uniform LixelBatch { vec4 lixelBatch; }; // x: the region that has viewport 0
+layout(location = 4) out vec3 lixelPosition;
+layout(location = 5) out int lixelView;
+#else
+#include "lixel/gl/shaders/place_caster.glsl"
+#endif
 
 uniform int lixelFirstView;
 
@@ -21,9 +24,12 @@ layout(location = 0) out vec2 lixelUv;
 void lixelCasterInto(int view, vec3 positionLocal, vec2 uv)
 {
     lixelUv = uv;
-    gl_ViewportIndex = view - int(lixelBatch.x);
-    gl_Layer = int(lixelRegions[view].place.x);
-    gl_Position = lxLightClip(lixelRegions[view], positionLocal);
+#ifdef LIXEL_TESSELLATE
+    lixelPosition = positionLocal;
+    lixelView = view;
+#else
+    lixelPlace(view, positionLocal);
+#endif
 }
 
 void lixelCaster(vec3 positionLocal, vec2 uv) { lixelCasterInto(lixelFirstView + gl_InstanceID, positionLocal, uv); }

@@ -5,6 +5,8 @@
 
 layout(binding = kUnitAtlas) uniform sampler2DArray atlas;
 float lxStoredDepth(int x, int y, int layer) { return texelFetch(atlas, ivec3(x, y, layer), 0).r; }
+layout(std430, binding = kStorageWarps) readonly buffer Warps { float warpKnots[]; };
+float lxWarpKnot(int i) { return warpKnots[i]; }
 #include "lixel/shared/lookup.h"
 
 layout(local_size_x = 64) in;
