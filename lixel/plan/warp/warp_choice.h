@@ -35,14 +35,14 @@ enum class Analysis {
     Hybrid    // both
 };
 
-// Common to both warps.
+// Common to both warps. Defaults are what had the fewest errors over scenes and views (docs/results.md), rtw's its own.
 struct WarpOptions
 {
     Importance importance;
     Analysis analysis = Analysis::Backward;
     double power = 2.0 / 3;   // density goes with importance to this power
     double smooth = 1.0 / 16; // lines (in rtw cells) within this share of all of them on either side count too
-    double floor = 0.05;      // of the density, as a share of its mean along a line
+    double floor = 0.02;      // of the density, as a share of its mean along a line
     int grid = 512;           // cells a side at most; never more than lixels
     WarpRaster raster = WarpRaster::Exact;
     friend bool operator==(const WarpOptions&, const WarpOptions&) = default;
@@ -54,7 +54,7 @@ struct NoWarp
 };
 struct RtwWarp
 {
-    WarpOptions options;
+    WarpOptions options{.power = 1, .smooth = 1.0 / 64};
     friend bool operator==(const RtwWarp&, const RtwWarp&) = default;
 };
 struct NowWarp
