@@ -3,6 +3,7 @@
 
 #include "exit_code.h"
 #include "lixel/plan/observe.h"
+#include "lixel/plan/warp/light_view.h"
 #include "lixel/trace/exact_area.h"
 #include "lixel/trace/exact_visibility.h"
 #include "plan_file.h"
@@ -22,6 +23,41 @@ std::vector<GivenLight> readGiven(const Technique& technique)
     if (const auto* matrix = std::get_if<MatrixFit>(&map->fit)) return readPlanFile(matrix->file, false);
     if (const auto* plan = std::get_if<PlanFit>(&map->fit)) return readPlanFile(plan->file, true);
     return {};
+}
+
+// What the lights see through a technique's maps, and the lixels that it takes.
+struct LightSight
+{
+    std::vector<std::vector<ViewSamples>> seen;
+    std::int64_t lixels = 0; // of each light
+};
+
+LightSight lookFromLights(const LightLook& look, PlanInput input, const PlanSubject& subject, Executor& executor)
+{
+    input.technique = look.technique;
+    input.lixels = look.lixels;
+    input.lixelsOfRegions = {};
+    input.lixelsSpent = 0;
+    const FramePlan plan = planShadows(input);
+    LightSight sight{{}, std::int64_t(look.lixels.width) * look.lixels.height};
+    for (std::size_t i = 0; i < plan.lights.size(); ++i) {
+        std::vector<ViewSamples>& ofLight = sight.seen.emplace_back();
+        for (const PlannedRegion& region : plan.lights[i].regions)
+            ofLight.push_back(
+                executor.viewSamples(subject.stage, lightViewOf(region, subject.lights[i], plan.originWorld)));
+    }
+    return sight;
+}
+
+// With what the technique's warp wants to know of the lights' own view.
+FramePlan planWithLights(PlanInput input, const PlanSubject& subject, Executor& executor)
+{
+    const auto look = lightLookOf(input.technique, input.lixels);
+    if (!look) return planShadows(input);
+    const LightSight sight = lookFromLights(*look, input, subject, executor);
+    input.seenByLights = sight.seen;
+    input.lixelsSpent += sight.lixels;
+    return planShadows(input);
 }
 
 } // namespace
@@ -74,7 +110,7 @@ std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubjec
     const auto first = firstPassOf(*map, lixels.total);
     input.before = memory.before;
     if (memory.observed) input.observed = &*memory.observed;
-    if (!first || memory.observed) return planShadows(input);
+    if (!first || memory.observed) return planWithLights(input, subject, executor);
 
     PlanInput firstInput = input;
     firstInput.technique = first->technique;
@@ -86,7 +122,7 @@ std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubjec
     const Observation observed = observe(subject.seen, subject.view, subject.lights, visibility, first->grid);
     input.observed = &observed;
     input.lixelsSpent = std::int64_t(first->lixels.width) * first->lixels.height;
-    return planShadows(input);
+    return planWithLights(input, subject, executor);
 }
 
 PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, const FramePlan& plan,

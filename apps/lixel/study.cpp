@@ -35,6 +35,9 @@ void addOptions(CLI::App& app, const Study& study, StudyOptions& o)
         app.add_option("--tolerance", o.tolerance, "misclassified percent that a map may have: 0.5% or 0.5")
             ->required();
         app.add_option("--technique", o.technique, "whose maps (lixel techniques)")->capture_default_str();
+    } else if (study.cases == StudiedCases::Pictures) {
+        addPictureOptions(app, o.picture);
+        app.add_option("--lixels", o.lixels, "lixels of a light, in all")->capture_default_str();
     } else {
         if (study.cases == StudiedCases::Lights)
             app.add_option("--lights", o.count, "how many lights")->check(CLI::Range(1, kMostLights));
@@ -74,7 +77,7 @@ int listOrRefuse(const std::string& name)
 
 std::span<const Study> studies()
 {
-    static const std::array<Study, 6> kAll{{
+    static const std::array<Study, 7> kAll{{
         {"one-to-one",
          "How far from the pixel that sees a point of the plane is the lixel that samples it, in plane-optimal maps?",
          StudiedCases::Counted, false, studyOneToOne},
@@ -91,6 +94,8 @@ std::span<const Study> studies()
          StudiedCases::Counted, false, studySceneOptimalSearch},
         {"scene-optimal-sensitivity", "How do the errors of scene-optimal change with each of its parameters?",
          StudiedCases::Lights, false, studySceneOptimalSensitivity},
+        {"warps", "How do the errors of texture warps change with each of their parameters, and how even are they?",
+         StudiedCases::Pictures, false, studyWarps},
     }};
     return kAll;
 }

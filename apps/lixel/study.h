@@ -22,13 +22,15 @@ struct StudyOptions
     // Of studies of a scene.
     PictureOptions picture;
     std::string tolerance, technique = "scene-optimal";
+    std::string lixels = "512x512";
 };
 
 // What a study is asked of; its options follow from that.
 enum class StudiedCases : std::uint8_t {
     Counted, // --count, --quick, --seed
     Lights,  // --lights, --quick, --seed
-    Scene    // SCENE and what chooses its pictures, --tolerance, --technique
+    Scene,   // SCENE and what chooses its pictures, --tolerance, --technique
+    Pictures // SCENE and what chooses its pictures, --lixels
 };
 
 // A question about lixel's own techniques that a table of pictures does not answer. Its run prints what it finds, writes JSON where it is
@@ -50,5 +52,6 @@ int studySceneOptimalSearch(const StudyOptions& options);
 int studyResolution(const StudyOptions& options);
 int studySceneOptimalSensitivity(const StudyOptions& options);
 int studySceneOptimalMetrics(const StudyOptions& options);
+int studyWarps(const StudyOptions& options);
 
 } // namespace lixel::app

@@ -94,7 +94,10 @@ MapTechnique techniqueOf(const std::string& text)
 {
     const Expected<Technique, std::string> technique = parseTechnique(text);
     if (!technique) throw std::runtime_error(technique.error());
-    if (const MapTechnique* maps = std::get_if<MapTechnique>(&*technique)) return *maps;
+    const MapTechnique* maps = std::get_if<MapTechnique>(&*technique);
+    if (maps && warpOptionsOf(maps->warp))
+        throw std::runtime_error("technique \"" + text + "\" warps its maps, which this host does not draw");
+    if (maps) return *maps;
     throw std::runtime_error("technique \"" + text + "\" has no map to draw");
 }
 

@@ -3,6 +3,7 @@
 
 #include "lixel/plan/light_planner.h"
 #include "lixel/plan/region_table.h"
+#include "lixel/plan/warp/region_warps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +95,9 @@ std::optional<FirstPass> firstPassOf(const MapTechnique& technique, LixelSize li
 {
     const auto* planes = std::get_if<PlanesPartition>(&technique.partition);
     const SceneOptimalFit* sceneOptimal = sceneOptimalOf(technique);
-    if (!sceneOptimal && (!planes || !planes->names.empty())) return std::nullopt;
+    const WarpOptions* warp = warpOptionsOf(technique.warp);
+    const bool isSteered = warp && warp->importance.has(kBoundariesWeight);
+    if (!sceneOptimal && !isSteered && (!planes || !planes->names.empty())) return std::nullopt;
     MapTechnique first; // focused
     first.otherwise = Fallback{CubePartition{}, FocusedFit{}};
     const double lixelsInAll = double(lixels.width) * lixels.height / kFirstPassOfAll;
@@ -115,6 +118,7 @@ FramePlan planShadows(const PlanInput& input, FitScratch& scratch, FramePlan rec
     LX_ASSERT(input.lixels.width > 0 && input.lixels.height > 0);
     LX_ASSERT(!input.seen || input.seen->originWorld == input.originWorld);
     FramePlan plan = std::move(recycled);
+    recycleKnots(plan, scratch.warps);
     plan.atlas = {1, 1};
     plan.lookup = lookupLayout(input.technique.store, input.technique.kernel);
     plan.originWorld = input.originWorld;
@@ -143,6 +147,10 @@ FramePlan planShadows(const PlanInput& input, FitScratch& scratch, FramePlan rec
             light.refused = planner.choose(light);
             if (!light.refused && !planner.placeAll(plan.layers, plan.lookup, plan.atlas, light.regions))
                 light.refused = FitFailure::TooFewLixels;
+            const std::span<const ViewSamples> seenByLight =
+                i < input.seenByLights.size() ? std::span(input.seenByLights[i]) : std::span<const ViewSamples>{};
+            warpRegions({input.view, input.lights[i], input.originWorld, input.seen, seenByLight, input.observed, i},
+                        input.technique.warp, plan.lookup, scratch.warps, light.regions);
         }
         if (!light.refused) ++plan.layers;
         appendTables(light, plan);

@@ -68,6 +68,9 @@ struct PlanInput
     std::span<const NamedPlane> planes = {}; // that planes(...) may name
     // Where shadows end, as a first pass or an earlier frame saw it: shares and choices are made by it, else by `seen`.
     const Observation* observed = nullptr;
+    // What each light sees through each of its maps (lightViewOf), for warps by forward analysis; an entry a light; same
+    // originWorld.
+    std::span<const std::vector<ViewSamples>> seenByLights = {};
     // Spent of each light's lixels before this plan, on the first pass that observed.
     std::int64_t lixelsSpent = 0;
     std::span<const LightMemory> before = {}; // an entry a light (rememberedBy); empty: nothing was before

@@ -2,7 +2,9 @@
 #include "lixel/plan/technique.h"
 
 #include "lixel/plan/partition/planes.h"
+#include "lixel/plan/technique_presets.h"
 #include "lixel/plan/technique_text.h"
+#include "lixel/plan/warp/warp_text.h"
 
 #include <algorithm>
 #include <array>
@@ -47,11 +49,12 @@ struct Parts
     bool isStable = false;
     std::optional<Allocation> allocation;
     std::optional<Fallback> otherwise;
+    std::optional<WarpChoice> warp;
     std::optional<Store> store;
     std::optional<Kernel> kernel;
     std::optional<Technique> noMap;
 
-    bool anyOfMap() const { return partition || fit || isStable || allocation || otherwise || store || kernel; }
+    bool anyOfMap() const { return partition || fit || isStable || allocation || otherwise || warp || store || kernel; }
 };
 
 template <typename Slot, typename Value>
@@ -168,6 +171,13 @@ Answer takeFit(const Word& word, Parts& parts)
     if (word.name == "focused" || word.name == "lispsm") parts.isStable |= arguments.takeFlag("stable");
     if (!arguments.areAllTaken()) return fmt::format("\"{}\" does not take these arguments", word.name);
     return setOnce(parts.fit, *fit, "fit");
+}
+
+Answer takeWarp(const Word& word, Parts& parts)
+{
+    const auto warp = readWarp(word);
+    if (!warp) return std::nullopt;
+    return *warp ? setOnce(parts.warp, **warp, "warp") : warp->error();
 }
 
 Answer takeLookup(const Word& word, Parts& parts)
@@ -321,10 +331,30 @@ Answer takeElse(const Word& word, Parts& parts)
 // An empty string, or what is wrong with the word.
 std::string take(const Word& word, Parts& parts)
 {
-    for (const auto reader : {takePartition, takePlanes, takeFit, takePlaneOptimal, takeSceneOptimal, takeLookup,
-                              takeNoMap, takeAllocation, takeElse})
+    for (const auto reader : {takePartition, takePlanes, takeFit, takePlaneOptimal, takeSceneOptimal, takeWarp,
+                              takeLookup, takeNoMap, takeAllocation, takeElse})
         if (const Answer answer = reader(word, parts)) return *answer;
     return fmt::format("\"{}\" is not known; known are {}", word.name, knownWords());
+}
+
+// All words of a text; an empty string, or what is wrong with one.
+std::string takeAll(std::string_view text, Parts& parts)
+{
+    const auto pieces = split(text, '+');
+    if (!pieces) return "parentheses do not match";
+    for (const std::string_view piece : *pieces) {
+        if (piece.empty()) return "an empty word";
+        const auto word = readWord(piece);
+        if (!word) return fmt::format("\"{}\" is not of the form word(value, ...)", piece);
+        if (word->name != "paper") {
+            if (const std::string wrong = take(*word, parts); !wrong.empty()) return wrong;
+            continue;
+        }
+        const auto words = word->arguments.size() == 1 ? presetNamed(word->arguments.front()) : std::nullopt;
+        if (!words) return "paper takes rtw, now, now-dv or min-sm";
+        if (const std::string wrong = takeAll(*words, parts); !wrong.empty()) return wrong;
+    }
+    return "";
 }
 
 // What planes bring along: what they do not hold goes to else(...), and maps of planes(auto), which is made from view samples, hold no
@@ -359,6 +389,11 @@ std::string checkTogether(const MapTechnique& map, const Parts& parts)
         return "uncovered=lit leaves nothing to else(...)";
     if (map.isStable && isPlanes(map.partition))
         return "stable goes with no planes(...): their maps follow the picture";
+    if (parts.warp && map.isStable) return "a warp follows what is seen: it goes with nothing stable";
+    if (parts.warp && map.allocation == Allocation::Exact)
+        return "allocation=exact has its lixels where pixels are: no warp goes with it";
+    if (parts.warp && isGiven(map.fit))
+        return "matrix(file) and plan(file) are taken as they are: no warp goes with them";
     if (map.allocation == Allocation::Exact && !planeOptimal) return "allocation=exact goes with plane-optimal";
     if (isGiven(map.fit) && !isWhole)
         return "matrix(file) and plan(file) have their own regions: no partition goes with them";
@@ -374,15 +409,8 @@ Expected<Technique, std::string> parseTechnique(std::string_view text)
     const auto fail = [&](const std::string& what) {
         return Unexpected{fmt::format("technique \"{}\": {}", text, what)};
     };
-    const auto pieces = split(text, '+');
-    if (!pieces) return fail("parentheses do not match");
     Parts parts;
-    for (const std::string_view piece : *pieces) {
-        if (piece.empty()) return fail("an empty word");
-        const auto word = readWord(piece);
-        if (!word) return fail(fmt::format("\"{}\" is not of the form word(value, ...)", piece));
-        if (const std::string wrong = take(*word, parts); !wrong.empty()) return fail(wrong);
-    }
+    if (const std::string wrong = takeAll(text, parts); !wrong.empty()) return fail(wrong);
     if (parts.noMap && parts.anyOfMap()) return fail("a technique without a map stands alone");
     if (parts.noMap) return *parts.noMap;
     MapTechnique technique;
@@ -395,6 +423,7 @@ Expected<Technique, std::string> parseTechnique(std::string_view text)
     if (const auto* fit = std::get_if<SceneOptimalFit>(&technique.fit);
         fit && !fit->uncoveredIsLit && !technique.otherwise)
         technique.otherwise = Fallback{};
+    if (parts.warp) technique.warp = *parts.warp;
     if (parts.store) technique.store = *parts.store;
     if (parts.kernel) technique.kernel = *parts.kernel;
     if (const std::string wrong = checkTogether(technique, parts); !wrong.empty()) return fail(wrong);
@@ -410,7 +439,7 @@ bool needsViewSamples(const MapTechnique& technique)
                std::holds_alternative<SceneOptimalFit>(fit) || (planes && planes->names.empty()) ||
                (planeOptimal && planeOptimal->isOfSamples);
     };
-    return isMadeOfThem(technique.partition, technique.fit) ||
+    return warpOptionsOf(technique.warp) || isMadeOfThem(technique.partition, technique.fit) ||
            (technique.otherwise && isMadeOfThem(technique.otherwise->partition, technique.otherwise->fit));
 }
 

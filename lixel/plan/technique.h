@@ -5,6 +5,7 @@
 #include "lixel/plan/fit/plane_optimal.h"
 #include "lixel/plan/fit/psm.h"
 #include "lixel/plan/fit/scene_optimal.h"
+#include "lixel/plan/warp/warp_choice.h"
 
 #include <optional>
 #include <span>
@@ -13,11 +14,11 @@
 #include <variant>
 #include <vector>
 
-// What a technique is (partition x fit x lookup, or one without a map), and its text form:
+// What a technique is (partition x fit x warp x lookup, or one without a map), and its text form:
 //
 //   word(value, key=value, ...) joined by +, order free; word:a:b means word(a,b)
 //
-// Parts left out take their default: whole + focused + depths(1) + pcf(1); sdsm(n) goes with desired-view, and if
+// Parts left out take their default: whole + focused + no warp + depths(1) + pcf(1); sdsm(n) goes with desired-view, and if
 // stable with focused; planes(...) goes with plane-optimal, which ends in else(focused) but where uncovered=lit. `stable` stands among the arguments of a partition or fit and is the technique's: pssm(4,stable) is
 // pssm(4)+focused(stable).
 namespace lixel {
@@ -134,6 +135,7 @@ struct MapTechnique
     bool isStable = false; // maps do not crawl as the camera moves
     Allocation allocation = Allocation::Need;
     std::optional<Fallback> otherwise = {};
+    WarpChoice warp = NoWarp{}; // of every region
     Store store = DepthStore{};
     Kernel kernel = PcfKernel{};
     friend bool operator==(const MapTechnique&, const MapTechnique&) = default;
@@ -170,7 +172,7 @@ Expected<std::vector<std::string>, std::string> splitTechniques(std::string_view
 // One row of what `lixel techniques` prints.
 struct TechniqueWord
 {
-    std::string_view kind; // partition, fit, store, kernel, no map
+    std::string_view kind; // partition, fit, warp, store, kernel, no map, preset
     std::string_view form; // pcf(k)
     std::string_view meaning;
     std::string_view paper;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/technique.h"
 
+#include "lixel/plan/warp/warp_text.h"
+
 #include <limits>
 
 #include <fmt/format.h>
@@ -79,6 +81,7 @@ std::string name(const MapTechnique& map)
         text += "+else(" + nameOfChoice(map.otherwise->partition) + "+" + nameOfChoice(map.otherwise->fit) + ")";
     if (map.otherwise || !std::holds_alternative<WholePartition>(map.partition))
         text += fmt::format("+allocation={}", nameOf(map.allocation));
+    if (warpOptionsOf(map.warp)) text += "+" + nameOf(map.warp);
     return text + "+" + nameOfChoice(map.store) + "+" + nameOfChoice(map.kernel);
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kAnyLight = "directional, spot, point";
 
-constexpr std::array<TechniqueWord, 22> kWords{{
+constexpr std::array<TechniqueWord, 25> kWords{{
     {"partition", "whole", "one region: all of space", "", "all", ""},
     {"partition", "pssm(n, lambda=0.5, stable)",
      "n = 1 to 16 regions along the line of sight, split between evenly (0) and logarithmically (1)",
@@ -58,12 +58,24 @@ constexpr std::array<TechniqueWord, 22> kWords{{
      "lixels of several regions: so that the predicted error is least, the same number for each, or for planes a lixel "
      "a pixel",
      "", "all", "too-few-lixels"},
+    {"warp",
+     "rtw(importance=, analysis=backward/forward/hybrid, power=, smooth=, floor=, grid=, "
+     "raster=exact/tessellate/vertices)",
+     "lixels moved along x and y to where importance is greatest in their columns and rows; importance= count, "
+     "distance, normal, edges, boundaries, shadow-edges, max(...) of some, products by *",
+     "Rosen 2012", "all", ""},
+    {"warp", "now(as rtw, lines=interpolated/nearest)",
+     "every row moved by a function of its own, then every column: lixels serve like numbers of samples, to a power",
+     "Milet, Navratil, Zemcik 2015", "all", ""},
     {"store", "depths(n)", "n depths a lixel; n = 1", "Williams 1978", "all", ""},
     {"kernel", "pcf(k)", "k = 1, 4, 9, 16, 25 taps one lixel apart, results averaged", "Reeves, Salesin, Cook 1987",
      "all", ""},
     {"no map", "exact", "a ray for every view sample, decided in double precision", "", "all", ""},
     {"no map", "exact-area(n)", "share of the pixel's area that is lit; n = 1, 4, ..., 1024 rays a pixel", "", "all",
      ""},
+    {"preset", "paper:rtw, now, now-dv, min-sm",
+     "a technique as its paper has it, alone or with further words: RTW, Ours, Ours-DV and MIN-SM of Milet et al.",
+     "Rosen 2012; Milet, Navratil, Zemcik 2015", "all", "no-view-samples"},
 }};
 
 } // namespace

@@ -78,6 +78,26 @@ TEST(StudyCommand, ResolutionSaysWhereEvenTheLargestMapMissesTheTolerance)
     EXPECT_NE(result.out.find("8192x8192, misses the tolerance"), std::string::npos) << result.out;
 }
 
+TEST(StudyCommand, WarpsHaveWhatTheyAreByThemselvesInEveryCurveAndSpreadSamplesMoreEvenly)
+{
+    const CommandResult result = runLixel({"study", "warps", "colonnade", "--view", "overview", "--size", "64x64",
+                                           "--lixels", "32x32", "--executor", "trace", "--json", "-"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(schemaError(result.out, "warps.schema.json"), "");
+    const auto json = nlohmann::json::parse(result.out);
+    std::map<std::string, std::set<std::int64_t>> own;
+    double plain = 0, warped = 0;
+    for (const auto& row : json["rows"]) {
+        const std::string technique = row["technique"];
+        if (row["is_own"].get<bool>()) own[technique.substr(0, 11)].insert(row["misclassified"].get<std::int64_t>());
+        if (technique == "desired-view+now") warped = row["used_share"];
+        if (technique == "desired-view") plain = row["used_share"];
+    }
+    ASSERT_EQ(own.size(), 2u); // focused+now and focused+rtw
+    for (const auto& [warp, misclassified] : own) EXPECT_EQ(misclassified.size(), 1u) << warp;
+    EXPECT_GT(warped, plain);
+}
+
 // By every parameter: each curve has what its technique has just once, and that is the same in all of them.
 TEST(StudyCommand, SceneOptimalSensitivityMeetsItsTechniqueInEveryCurve)
 {

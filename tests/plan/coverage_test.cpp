@@ -98,7 +98,10 @@ constexpr const char* kTechniques[] = {"uniform",
                                        "cube+desired-view",
                                        "cube+psm",
                                        "psm+else(cube+desired-view)",
-                                       "pssm(2)+tsm+else(focused)"};
+                                       "pssm(2)+tsm+else(focused)",
+                                       "now(importance=count*edges,grid=64)",
+                                       "cube+desired-view+rtw(grid=64)",
+                                       "lispsm+now(smooth=0,power=1,floor=0,lines=nearest,grid=32)+pcf(9)"};
 
 class Coverage : public testing::TestWithParam<const char*>
 {

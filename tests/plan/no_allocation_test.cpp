@@ -91,7 +91,9 @@ INSTANTIATE_TEST_SUITE_P(Techniques, NoAllocation,
                                          "desired-view(rotated)", "minimal-frustum", "psm", "tsm", "lispsm",
                                          "lispsm(stable)", "pssm(4)+lispsm", "sdsm(4)", "cube", "psm+else(cube)",
                                          "planes(floor,wall)", "planes(floor,wall)+allocation=exact",
-                                         "planes(floor,wall)+plane-optimal(desired-view)", "planes(auto)"));
+                                         "planes(floor,wall)+plane-optimal(desired-view)", "planes(auto)", "rtw", "now",
+                                         "cube+lispsm+now(smooth=1/8,grid=64)",
+                                         "desired-view+now(importance=count*max(edges,normal)*distance)"));
 
 TEST(NoAllocation, PlanesAreSoughtInTheSameRoomAgain)
 {

@@ -83,7 +83,8 @@ inline const PlannedRegion* serving(const FramePlan& plan, Vec3f positionLocal, 
             isHeld = isHeld && shared::lxHolds(plan.halfSpaceTable[std::size_t(region.place.y) + std::size_t(i)],
                                                toShared(positionLocal));
         if (!isHeld) continue;
-        receiver = shared::lxReceive(region, toShared(positionLocal), toShared(normal));
+        const auto knot = [&](int i) { return plan.warpTable[std::size_t(i)]; };
+        receiver = shared::lxReceive(region, toShared(positionLocal), toShared(normal), knot);
         if (receiver.isInside != 0) return &plan.lights[0].regions[r];
     }
     return nullptr;

@@ -10,6 +10,7 @@
 #include "lixel/plan/fit/edge_rays.h"
 #include "lixel/plan/fit/need_sample.h"
 #include "lixel/plan/partition/find_planes.h"
+#include "lixel/plan/warp/warp_scratch.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -80,6 +81,7 @@ struct FitScratch
     std::vector<Vec3d> planePoints, planeNormals; // of what planes are sought among
     std::vector<float> planeWeights;
     std::vector<LeftOutPlane> leftOut;
+    RegionWarpScratch warps;
 };
 
 // Half-spaces of a region, Local, inside positive.

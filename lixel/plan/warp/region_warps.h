@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lixel/plan/lookup/lookup.h"
+#include "lixel/plan/warp/warp_scratch.h"
+
+#include <span>
+
+// Warps for the regions of a light, once they have their matrices and rectangles.
+namespace lixel {
+
+struct PlannedRegion; // shadow_plan.h
+struct FramePlan;
+
+// Takes back the knots of a plan that is about to be made anew.
+void recycleKnots(FramePlan& plan, RegionWarpScratch& scratch);
+
+// Every sample counts for the first region that serves it. A region too small to leave a lixel within its guard bands stays as it is.
+void warpRegions(const ImportanceSource& source, const WarpChoice& choice, const LookupLayout& lookup,
+                 RegionWarpScratch& scratch, std::span<PlannedRegion> regions);
+
+} // namespace lixel

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/report/warps.h"
+
+#include <nlohmann/json.hpp>
+
+namespace lixel {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kVersion = 1;
+
+} // namespace
+
+std::string toJson(const WarpStudy& study)
+{
+    Json rows = Json::array();
+    for (const WarpStudy::Row& row : study.rows)
+        rows.push_back({{"curve", row.curve},
+                        {"value", row.value},
+                        {"technique", row.technique},
+                        {"is_own", row.isOwn},
+                        {"lights", row.lights},
+                        {"misclassified", row.misclassified},
+                        {"misclassified_percent", row.percent},
+                        {"ratio_to_focused", row.ratioToFocused},
+                        {"used_share", row.usedShare},
+                        {"count_variation", row.countVariation},
+                        {"knot_bytes", row.knotBytes}});
+    const Json json = {
+        {"version", kVersion},
+        {"study", "warps"},
+        {"lixel_version", study.lixelVersion},
+        {"command", study.command},
+        {"scene", study.scene},
+        {"size", study.size},
+        {"lixels", study.lixels},
+        {"executor", study.executor},
+        {"rows", rows},
+        {"timing",
+         {{"date", study.timing.date}, {"host", study.timing.host}, {"total_seconds", study.timing.totalSeconds}}}};
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace lixel
