@@ -50,7 +50,7 @@ function(lixel_install_glsl component file)
   get_filename_component(source ${file} ABSOLUTE)
   get_filename_component(file_name ${file} NAME)
   set(output ${PROJECT_BINARY_DIR}/glsl/${file_name})
-  file(GLOB included CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lixel/shared/*)
+  file(GLOB_RECURSE included CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lixel/shared/*)
   set(script ${PROJECT_SOURCE_DIR}/cmake/single_file_glsl.cmake)
   add_custom_command(OUTPUT ${output}
     COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -DFILE=${source} -DOUTPUT=${output} -P ${script}

@@ -44,20 +44,26 @@ public:
     RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames) override
     {
         const ViewSamples samples = viewSamples(stage, view);
-        std::vector<double> maps, lookups, all;
+        std::vector<double> maps, preparing, lookups, all;
         for (int i = -2; i < frames; ++i) {
             const Stopwatch whole;
             const TracedAtlas atlas = traceAtlas(*stage.traced, plan);
             const double mapSeconds = whole.seconds();
-            for (std::size_t light = 0; light < plan.lights.size(); ++light) lookUp(plan, atlas, samples, light);
+            const PreparedMaps prepared = prepareMaps(plan, atlas);
+            const double preparedSeconds = whole.seconds();
+            for (std::size_t light = 0; light < plan.lights.size(); ++light)
+                lookUp(plan, atlas, prepared, samples, light);
             if (i < 0) continue;
             maps.push_back(1e3 * mapSeconds);
+            preparing.push_back(1e3 * (preparedSeconds - mapSeconds));
             all.push_back(1e3 * whole.seconds());
-            lookups.push_back(all.back() - maps.back());
+            lookups.push_back(all.back() - 1e3 * preparedSeconds);
         }
         RowTiming timing;
         timing.frameMs = median(all);
-        timing.passes = {{"light depth", median(maps)}, {"lookup", median(lookups)}};
+        timing.passes = {{"light depth", median(maps)}};
+        if (plan.lookup.isPrepared()) timing.passes.push_back({"prepare", median(preparing)});
+        timing.passes.push_back({"lookup", median(lookups)});
         timing.clock = "steady_clock, without view samples and shading";
         return timing;
     }

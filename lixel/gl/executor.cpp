@@ -10,6 +10,7 @@
 #include "lixel/gl/passes/light_depth_pass.h"
 #include "lixel/gl/passes/lookup_pass.h"
 #include "lixel/gl/passes/observation_readback.h"
+#include "lixel/gl/passes/prepare_pass.h"
 #include "lixel/gl/passes/sdsm_pass.h"
 #include "lixel/gl/passes/shade_pass.h"
 #include "lixel/gl/passes/view_pass.h"
@@ -63,7 +64,8 @@ struct GlExecutor::State
     gl::PlanTables tables;
     gl::ShadowAtlas atlas;
     gl::DrawnMaps inAtlas;
-    std::uint64_t mapsDrawn = 0;
+    gl::PreparedMaps prepared;
+    std::uint64_t mapsDrawn = 0, plansPrepared = 0;
     std::optional<gl::DrawnPositions> positions; // once asked for
     gl::ViewTargets targets;
     gl::PointList pixels{device};  // one entry a pixel, of the view drawn last
@@ -72,6 +74,7 @@ struct GlExecutor::State
     gl::ViewPass viewPass;
     gl::GatherPass gatherPass;
     gl::LightDepthPass lightDepthPass{device};
+    gl::PreparePass preparePass;
     gl::LookupPass lookupPass;
     gl::ShadePass shadePass;
     gl::SamplePass samplePass{device};
@@ -117,9 +120,18 @@ struct GlExecutor::State
             gl::PassTimer::Scope scope(timer, gl::SdsmPass::kName);
             sdsmPass.run(fill, pixels, tables);
         }
-        if (fills.empty() && inAtlas.areThoseOf(plan, casters)) return;
+        if (!fills.empty() || !inAtlas.areThoseOf(plan, casters)) drawAnew(plan, casters, fills);
+        if (!plan.lookup.isPrepared() || prepared.areFor(plan)) return;
+        gl::PassTimer::Scope scope(timer, gl::PreparePass::kName);
+        preparePass.run(plan, tables, atlas, prepared);
+        ++plansPrepared;
+    }
+
+    void drawAnew(const FramePlan& plan, const CasterSource& casters, std::span<const SdsmFill> fills)
+    {
         const auto culling = fills.empty() ? gl::LightDepthPass::Culling::ByRegion : gl::LightDepthPass::Culling::Off;
         inAtlas.forget();
+        prepared.forget();
         atlas.resize(device, plan);
         const CasterBuffers* buffers = std::get_if<CasterBuffers>(&casters);
         // What is seen mostly casts as well, and is then here once.
@@ -136,7 +148,7 @@ struct GlExecutor::State
     void lookUp(const FramePlan& plan, const gl::PointList& points, gl::VisibilityList& visibility)
     {
         gl::PassTimer::Scope scope(timer, gl::LookupPass::kName);
-        lookupPass.run(plan, tables, atlas, points, visibility);
+        lookupPass.run(plan, tables, {atlas, prepared}, points, visibility);
     }
 
     // Of `pixels` and their visibility.
@@ -195,6 +207,7 @@ GlExecutor& GlExecutor::operator=(GlExecutor&&) noexcept = default;
 const std::string& GlExecutor::renderer() const { return state_->device.renderer(); }
 bool GlExecutor::isSoftware() const { return state_->device.isSoftware(); }
 std::uint64_t GlExecutor::mapsDrawn() const { return state_->mapsDrawn; }
+std::uint64_t GlExecutor::plansPrepared() const { return state_->plansPrepared; }
 void GlExecutor::forgetMaps() { state_->inAtlas.forget(); }
 
 void GlExecutor::finish()

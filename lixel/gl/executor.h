@@ -61,7 +61,9 @@ public:
 
     // Regions drawn so far. Maps of a plan stay: where the next plan's maps are the same, of casters of the same version (which
     // is not 0), they are not drawn again, unless they are forgotten: measuring, one does as if casters had moved.
+    // What lookups prepare from maps stays with them; plansPrepared() counts how often it was made.
     std::uint64_t mapsDrawn() const;
+    std::uint64_t plansPrepared() const;
     void forgetMaps();
 
     void finish(); // waits until the device has done all that it was asked for

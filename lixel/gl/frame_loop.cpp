@@ -27,6 +27,7 @@ FrameLoop::FrameLoop(GlExecutor& executor, Options options) : executor_(executor
     observes_ = needsLights_ || needsViewSamples(options_.technique);
     start_.store = options_.technique.store;
     start_.kernel = options_.technique.kernel;
+    start_.isDualPlane = options_.technique.isDualPlane;
     executor_.restart();
 }
 

@@ -120,7 +120,7 @@ FramePlan planShadows(const PlanInput& input, FitScratch& scratch, FramePlan rec
     FramePlan plan = std::move(recycled);
     recycleKnots(plan, scratch.warps);
     plan.atlas = {1, 1};
-    plan.lookup = lookupLayout(input.technique.store, input.technique.kernel);
+    plan.lookup = lookupLayout(input.technique);
     plan.originWorld = input.originWorld;
     plan.lixelsSpent = input.lixelsSpent;
     plan.lights.resize(input.lights.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/technique.h"
 
+#include "lixel/plan/lookup/lookup_words.h"
 #include "lixel/plan/partition/planes.h"
 #include "lixel/plan/technique_presets.h"
 #include "lixel/plan/technique_text.h"
@@ -50,11 +51,10 @@ struct Parts
     std::optional<Allocation> allocation;
     std::optional<Fallback> otherwise;
     std::optional<WarpChoice> warp;
-    std::optional<Store> store;
-    std::optional<Kernel> kernel;
+    LookupParts lookup;
     std::optional<Technique> noMap;
 
-    bool anyOfMap() const { return partition || fit || isStable || allocation || otherwise || warp || store || kernel; }
+    bool anyOfMap() const { return partition || fit || isStable || allocation || otherwise || warp || lookup.any(); }
 };
 
 template <typename Slot, typename Value>
@@ -180,20 +180,7 @@ Answer takeWarp(const Word& word, Parts& parts)
     return *warp ? setOnce(parts.warp, **warp, "warp") : warp->error();
 }
 
-Answer takeLookup(const Word& word, Parts& parts)
-{
-    if (word.name == "depths") {
-        const auto n = onlyInteger(word, "n", 1);
-        if (!n || *n != 1) return "depths(n) takes n = 1";
-        return setOnce(parts.store, DepthStore{*n}, "store");
-    }
-    if (word.name == "pcf") {
-        const auto k = onlyInteger(word, "k", 9);
-        if (!k || !isSquare(*k) || *k < 1 || *k > 25) return "pcf(k) takes k = 1, 4, 9, 16 or 25";
-        return setOnce(parts.kernel, PcfKernel{*k}, "kernel");
-    }
-    return std::nullopt;
-}
+Answer takeLookupWord(const Word& word, Parts& parts) { return takeLookup(word, parts.lookup); }
 
 Answer takeNoMap(const Word& word, Parts& parts)
 {
@@ -332,7 +319,7 @@ Answer takeElse(const Word& word, Parts& parts)
 std::string take(const Word& word, Parts& parts)
 {
     for (const auto reader : {takePartition, takePlanes, takeFit, takePlaneOptimal, takeSceneOptimal, takeWarp,
-                              takeLookup, takeNoMap, takeAllocation, takeElse})
+                              takeLookupWord, takeNoMap, takeAllocation, takeElse})
         if (const Answer answer = reader(word, parts)) return *answer;
     return fmt::format("\"{}\" is not known; known are {}", word.name, knownWords());
 }
@@ -424,8 +411,10 @@ Expected<Technique, std::string> parseTechnique(std::string_view text)
         fit && !fit->uncoveredIsLit && !technique.otherwise)
         technique.otherwise = Fallback{};
     if (parts.warp) technique.warp = *parts.warp;
-    if (parts.store) technique.store = *parts.store;
-    if (parts.kernel) technique.kernel = *parts.kernel;
+    if (parts.lookup.store) technique.store = *parts.lookup.store;
+    if (parts.lookup.kernel) technique.kernel = *parts.lookup.kernel;
+    technique.isDualPlane = parts.lookup.isDualPlane;
+    if (const std::string wrong = checkLookup(technique); !wrong.empty()) return fail(wrong);
     if (const std::string wrong = checkTogether(technique, parts); !wrong.empty()) return fail(wrong);
     return Technique(technique);
 }

@@ -5,6 +5,7 @@
 #include "lixel/plan/fit/plane_optimal.h"
 #include "lixel/plan/fit/psm.h"
 #include "lixel/plan/fit/scene_optimal.h"
+#include "lixel/plan/lookup/choices.h"
 #include "lixel/plan/warp/warp_choice.h"
 
 #include <optional>
@@ -105,20 +106,6 @@ enum class Allocation {
     Exact // planes have a lixel a pixel, as many as that takes, just where pixels are; others share what is left by need
 };
 
-// Stores and kernels.
-struct DepthStore
-{
-    int depths = 1;
-    friend bool operator==(const DepthStore&, const DepthStore&) = default;
-};
-struct PcfKernel
-{
-    int taps = 1; // k of the papers: 1, 4, 9, 16 or 25, a square grid one lixel apart
-    friend bool operator==(const PcfKernel&, const PcfKernel&) = default;
-};
-using Store = std::variant<DepthStore>;
-using Kernel = std::variant<PcfKernel>;
-
 // What serves receivers that fall out of all regions.
 struct Fallback
 {
@@ -138,6 +125,7 @@ struct MapTechnique
     WarpChoice warp = NoWarp{}; // of every region
     Store store = DepthStore{};
     Kernel kernel = PcfKernel{};
+    bool isDualPlane = false; // what is in shadow must also lie behind the plane of the surface that is stored
     friend bool operator==(const MapTechnique&, const MapTechnique&) = default;
 };
 

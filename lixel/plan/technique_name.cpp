@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "lixel/plan/lookup/lookup_words.h"
 #include "lixel/plan/technique.h"
 
 #include "lixel/plan/warp/warp_text.h"
@@ -55,8 +56,6 @@ std::string name(const SceneOptimalFit& fit)
 }
 std::string name(const MatrixFit& fit) { return fmt::format("matrix({})", fit.file); }
 std::string name(const PlanFit& fit) { return fmt::format("plan({})", fit.file); }
-std::string name(const DepthStore& store) { return fmt::format("depths({})", store.depths); }
-std::string name(const PcfKernel& kernel) { return fmt::format("pcf({})", kernel.taps); }
 std::string name(const ExactTechnique&) { return "exact"; }
 std::string name(const ExactAreaTechnique& area) { return fmt::format("exact-area({})", area.samples); }
 
@@ -82,7 +81,7 @@ std::string name(const MapTechnique& map)
     if (map.otherwise || !std::holds_alternative<WholePartition>(map.partition))
         text += fmt::format("+allocation={}", nameOf(map.allocation));
     if (warpOptionsOf(map.warp)) text += "+" + nameOf(map.warp);
-    return text + "+" + nameOfChoice(map.store) + "+" + nameOfChoice(map.kernel);
+    return text + "+" + nameOfLookup(map);
 }
 
 } // namespace

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kAnyLight = "directional, spot, point";
 
-constexpr std::array<TechniqueWord, 25> kWords{{
+constexpr std::array<TechniqueWord, 33> kWords{{
     {"partition", "whole", "one region: all of space", "", "all", ""},
     {"partition", "pssm(n, lambda=0.5, stable)",
      "n = 1 to 16 regions along the line of sight, split between evenly (0) and logarithmically (1)",
@@ -67,9 +67,23 @@ constexpr std::array<TechniqueWord, 25> kWords{{
     {"warp", "now(as rtw, lines=interpolated/nearest)",
      "every row moved by a function of its own, then every column: lixels serve like numbers of samples, to a power",
      "Milet, Navratil, Zemcik 2015", "all", ""},
-    {"store", "depths(n)", "n depths a lixel; n = 1", "Williams 1978", "all", ""},
-    {"kernel", "pcf(k)", "k = 1, 4, 9, 16, 25 taps one lixel apart, results averaged", "Reeves, Salesin, Cook 1987",
-     "all", ""},
+    {"store", "depths(n, max/min/minmax/sorted, q=9/25, bits=16/32)",
+     "n depths a lixel: its own, and of the q lixels around the farthest, the nearest (n = 2), both (3), or one of "
+     "each "
+     "of n groups (4 to 8); more than four have 16 bits",
+     "Williams 1978; Pagot, Comba, Oliveira 2004", "all", ""},
+    {"store", "fast-pcf", "the depths of four neighbouring lixels, of 8 bits each", "Brabec, Seidel 2001", "all", ""},
+    {"store", "vsm(blur=3)", "two moments of the depths around a lixel, averaged over blur x blur lixels",
+     "Donnelly, Lauritzen 2006", "all", ""},
+    {"store", "evsm2(blur=3)", "the same of an exponential of depth", "Lauritzen, McCool 2008", "all", ""},
+    {"store", "evsm4(blur=3)", "the same of two exponentials", "Lauritzen, McCool 2008", "all", ""},
+    {"store", "msm(blur=3)", "four moments of depth", "Peters, Klein 2015", "all", ""},
+    {"kernel", "pcf(k, rotated/jittered)",
+     "k = 1, 4, 9, 16, 25 taps one lixel apart, results averaged; the grid turned, or each tap moved, for each sample",
+     "Reeves, Salesin, Cook 1987", "all", ""},
+    {"kernel", "bilinear", "the four lixels around by their areas, rounded to lit or shadow", "", "all", ""},
+    {"kernel", "hardware-pcf", "the same not rounded, by the texture unit, against one depth", "", "all", ""},
+    {"refinement", "dual-plane", "in shadow only behind the plane of the surface that is stored, too", "", "all", ""},
     {"no map", "exact", "a ray for every view sample, decided in double precision", "", "all", ""},
     {"no map", "exact-area(n)", "share of the pixel's area that is lit; n = 1, 4, ..., 1024 rays a pixel", "", "all",
      ""},

@@ -52,9 +52,16 @@ const int kUnitTriangles = 1;
 const int kUnitBaseColour = 2;
 const int kUnitNormal = 3;
 const int kUnitAtlas = 4;
+const int kUnitHardware = 5;
+const int kUnitWords = 6;
+const int kUnitMoreWords = 7;
+const int kUnitGradients = 8;
+const int kUnitMoments = 9;
 
 // Image units.
 const int kImagePicture = 0;
+const int kImagePrepared = 1;
+const int kImageMoreWords = 2;
 
 LX_SHARED_END
 

@@ -11,6 +11,7 @@
 #ifdef __cplusplus
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #define LX_FN inline
@@ -43,6 +44,17 @@ struct alignas(16) vec4
     constexpr vec4(float x_, float y_, float z_, float w_) : x(x_), y(y_), z(z_), w(w_) {}
     constexpr vec4(vec3 v, float w_) : x(v.x), y(v.y), z(v.z), w(w_) {}
     constexpr explicit vec4(float s) : x(s), y(s), z(s), w(s) {}
+};
+
+using uint = unsigned int;
+
+struct alignas(16) uvec4
+{
+    uint x = 0, y = 0, z = 0, w = 0;
+    constexpr uvec4() = default;
+    constexpr uvec4(uint x_, uint y_, uint z_, uint w_) : x(x_), y(y_), z(z_), w(w_) {}
+    constexpr uint operator[](int i) const { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    constexpr uint& operator[](int i) { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
 };
 
 // Columns, as GLSL stores it.
@@ -78,11 +90,19 @@ constexpr float dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; 
 constexpr float dot(vec4 a, vec4 b) { return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w; }
 constexpr vec3 cross(vec3 a, vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 
+inline uint floatBitsToUint(float a) { return std::bit_cast<uint>(a); }
+inline float uintBitsToFloat(uint a) { return std::bit_cast<float>(a); }
+inline int findLSB(uint a) { return a == 0 ? -1 : std::countr_zero(a); }
+inline int bitCount(uint a) { return std::popcount(a); }
+
 inline float abs(float a) { return std::fabs(a); }
 inline float floor(float a) { return std::floor(a); }
 inline float sqrt(float a) { return std::sqrt(a); }
 inline float pow(float a, float b) { return std::pow(a, b); }
+inline float exp(float a) { return std::exp(a); }
 inline float exp2(float a) { return std::exp2(a); }
+constexpr int min(int a, int b) { return b < a ? b : a; }
+constexpr int max(int a, int b) { return a < b ? b : a; }
 constexpr float min(float a, float b) { return b < a ? b : a; }
 constexpr float max(float a, float b) { return a < b ? b : a; }
 constexpr float clamp(float a, float low, float high) { return min(max(a, low), high); }

@@ -17,7 +17,8 @@ float lxWarpKnot(int index);         // FramePlan::warpTable; never called, and 
 // fetches row height - 1 - y; one that stores fixed-point depth takes a step of it off. See docs/hosts.md.
 float lxStoredDepth(int x, int y, int layer);
 
-#include "lixel/shared/lookup.h"
+#define LX_ONE_DEPTH
+#include "lixel/shared/lookup/visibility.h"
 
 // What stands for a point that no region of the light serves.
 const float kLixelUnserved = -1.0;
@@ -37,7 +38,8 @@ float lixelVisibility(int light, vec3 positionLocal, vec3 normal, int tapsPerSid
             isHeld = lxHolds(lxHalfSpaceAt(j), positionLocal);
         if (!isHeld) continue;
         LxReceiver receiver = lxReceive(region, positionLocal, normal);
-        if (receiver.isInside > 0.0) return lxVisibility(region, receiver, tapsPerSide);
+        if (receiver.isInside > 0.0)
+            return lxVisibility(lxOneDepth(tapsPerSide), region, receiver, 0u);
     }
     return kLixelUnserved;
 }

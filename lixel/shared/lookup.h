@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// From a receiver to its visibility through one region: one text for the CPU executor and for GLSL.
+// A receiver in the light image, and the depth of its plane where a lookup taps: one text for the CPU executor and for GLSL. What
+// stored values then say of it is lookup/visibility.h.
 //
-// The includer provides the map: in GLSL a function `float lxStoredDepth(int x, int y, int layer)` before this file, in C++ a
-// callable of the same form as the template argument Map. Likewise the knots of warps (warp.h). Where no region has a warp, GLSL may
-// define LIXEL_NO_WARP: drivers that run both sides of a branch then spend nothing on it.
+// The includer provides the knots of warps (warp.h). Where no region has a warp, GLSL may define LIXEL_NO_WARP: drivers that run both
+// sides of a branch then spend nothing on it.
 #ifndef LIXEL_SHARED_LOOKUP_H
 #define LIXEL_SHARED_LOOKUP_H
 #include "lixel/shared/light_clip.h"
@@ -148,44 +148,26 @@ LX_KNOTS_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 n
     return r;
 }
 
+// The depth of the receiver's plane at a place in the map; of a warped map, on the ray that a lixel there was drawn with.
+LX_KNOTS_FN float lxPlaneDepth(LxReceiver r, vec2 place LX_KNOTS)
+{
+    vec2 ray = place;
+#ifndef LIXEL_NO_WARP
+    if (r.warp.kind.x != LX_WARP_NONE) ray = lxUnwarpedLixel(r.warp, place LX_PASS_KNOTS);
+#endif
+    return r.depth + r.depthPerLixel.x * (ray.x - r.at.x) + r.depthPerLixel.y * (ray.y - r.at.y);
+}
+
 // The depth that a stored depth must exceed (be nearer than) to shadow the receiver, for the tap whose lixel has its centre at
-// `centre`: the receiver's plane there (of a warped map: on the ray that the lixel was drawn with), nearer by what it changes over half a lixel. The plane alone keeps planes and convex
+// `centre`: the receiver's plane there, nearer by what it changes over half a lixel. The plane alone keeps planes and convex
 // bodies free of shadows of their own; the half lixel covers bodies that curve towards the light within one, and is not needed
 // on a plane that the map is made for. Not below 0, which is what an empty lixel holds.
 LX_KNOTS_FN float lxShadowingDepth(LxReceiver r, vec2 centre LX_KNOTS)
 {
-    vec2 ray = centre;
-#ifndef LIXEL_NO_WARP
-    if (r.warp.kind.x != LX_WARP_NONE) ray = lxUnwarpedLixel(r.warp, centre LX_PASS_KNOTS);
-#endif
-    float planeDepth = r.depth + r.depthPerLixel.x * (ray.x - r.at.x) + r.depthPerLixel.y * (ray.y - r.at.y);
     float margin = (r.steepness.x + r.steepness.y) * r.margin;
     bool isBeside = max(abs(centre.x - r.lixel.x), abs(centre.y - r.lixel.y)) > LX_HALF_LIXEL;
     float slack = isBeside ? r.slack + r.slackBeside : r.slack;
-    return max(planeDepth + margin + slack, 0.0f);
-}
-
-// Visibility: the share of a square grid of taps, `side` by `side` lixels one lixel apart, that are lit. Taps stop at the
-// region's rectangle.
-#ifdef __cplusplus
-template <typename Map, typename Knots = LxNoKnots>
-inline float lxVisibility(ShadowRegion region, LxReceiver r, int side, const Map& lxStoredDepth,
-                          const Knots& lxWarpKnot = Knots())
-#else
-float lxVisibility(ShadowRegion region, LxReceiver r, int side)
-#endif
-{
-    float lit = 0.0f;
-    float first = -0.5f * float(side - 1);
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            float x = clamp(floor(r.lixel.x + first + float(i)), region.rectangle.x, region.rectangle.z - 1.0f);
-            float y = clamp(floor(r.lixel.y + first + float(j)), region.rectangle.y, region.rectangle.w - 1.0f);
-            float stored = lxStoredDepth(int(x), int(y), int(region.place.x));
-            lit += stored > lxShadowingDepth(r, vec2(x + 0.5f, y + 0.5f) LX_PASS_KNOTS) ? 0.0f : 1.0f;
-        }
-    }
-    return lit / float(side * side);
+    return max(lxPlaneDepth(r, centre LX_PASS_KNOTS) + margin + slack, 0.0f);
 }
 
 LX_SHARED_END

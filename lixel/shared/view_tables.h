@@ -8,7 +8,6 @@
 LX_SHARED_BEGIN
 
 #ifdef __cplusplus
-using uint = unsigned int;
 struct alignas(32) dvec4
 {
     double x = 0, y = 0, z = 0, w = 0;

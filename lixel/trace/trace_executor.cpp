@@ -2,10 +2,12 @@
 #include "lixel/trace/trace_executor.h"
 
 #include "lixel/base/assert.h"
-#include "lixel/shared/lookup.h"
+#include "lixel/shared/lookup/visibility.h"
 #include "lixel/trace/light_map.h"
 #include "lixel/trace/parallel.h"
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace lixel {
@@ -21,6 +23,34 @@ bool isWithinHalfSpaces(const FramePlan& plan, const shared::ShadowRegion& regio
     return true;
 }
 
+// What lookups read, as the shared functions ask for it.
+template <typename Knots>
+struct Maps
+{
+    const TracedAtlas& atlas;
+    const PreparedMaps& prepared;
+    const Knots& knots;
+
+    float depth(int x, int y, int layer) const { return atlas[std::size_t(layer)](x, y); }
+    shared::LxWords words(int x, int y, int layer) const { return prepared.words[std::size_t(layer)](x, y); }
+    std::uint32_t gradient(int x, int y, int layer) const { return prepared.gradients[std::size_t(layer)](x, y); }
+    shared::vec4 moments(int x, int y, int layer) const { return prepared.moments[std::size_t(layer)](x, y); }
+
+    // What a texture unit does, in floats.
+    float hardwareLit(shared::vec2 lixel, int layer, float reference) const
+    {
+        const Image<float>& map = atlas[std::size_t(layer)];
+        const float x = std::floor(lixel.x - 0.5f), y = std::floor(lixel.y - 0.5f);
+        const float right = lixel.x - 0.5f - x, above = lixel.y - 0.5f - y;
+        const auto lit = [&](int i, int j) {
+            const int column = std::clamp(int(x) + i, 0, map.width() - 1);
+            return map(column, std::clamp(int(y) + j, 0, map.height() - 1)) <= reference ? 1.0f : 0.0f;
+        };
+        return (1 - above) * ((1 - right) * lit(0, 0) + right * lit(1, 0)) +
+               above * ((1 - right) * lit(0, 1) + right * lit(1, 1));
+    }
+};
+
 } // namespace
 
 TracedAtlas traceAtlas(const TraceScene& scene, const FramePlan& plan)
@@ -33,11 +63,12 @@ TracedAtlas traceAtlas(const TraceScene& scene, const FramePlan& plan)
     return atlas;
 }
 
-Visibility lookUp(const FramePlan& plan, const TracedAtlas& atlas, const ViewSamples& samples, std::size_t light)
+Visibility lookUp(const FramePlan& plan, const TracedAtlas& atlas, const PreparedMaps& prepared,
+                  const ViewSamples& samples, std::size_t light)
 {
     LX_ASSERT(samples.originWorld == plan.originWorld && light < plan.lightTable.size());
     const auto warpKnot = [&](int i) { return plan.warpTable[std::size_t(i)]; };
-    const auto storedDepth = [&](int x, int y, int layer) { return atlas[std::size_t(layer)](x, y); };
+    const Maps<decltype(warpKnot)> maps{atlas, prepared, warpKnot};
     const shared::vec4 served = plan.lightTable[light].regions;
     const std::span<const shared::ShadowRegion> allRegions = plan.regionTable;
     const std::span<const shared::ShadowRegion> regions =
@@ -53,7 +84,7 @@ Visibility lookUp(const FramePlan& plan, const TracedAtlas& atlas, const ViewSam
                 if (receiver.isInside == 0) continue;
                 if (receiver.isOnPlane != 0) receiver.margin = 0; // rays need no room for a rasterizer's grid
                 visibility.value[i] =
-                    shared::lxVisibility(region, receiver, plan.lookup.tapsPerSide, storedDepth, warpKnot);
+                    shared::lxVisibility(plan.lookup.how, region, receiver, shared::lxSeedOf(positionLocal), maps);
                 visibility.unserved[i] = 0;
                 break;
             }
@@ -65,9 +96,10 @@ Visibility lookUp(const FramePlan& plan, const TracedAtlas& atlas, const ViewSam
 std::vector<Visibility> runTraced(const TraceScene& scene, const FramePlan& plan, const ViewSamples& samples)
 {
     const TracedAtlas atlas = traceAtlas(scene, plan);
+    const PreparedMaps prepared = prepareMaps(plan, atlas);
     std::vector<Visibility> visibility;
     for (std::size_t light = 0; light < plan.lights.size(); ++light)
-        visibility.push_back(lookUp(plan, atlas, samples, light));
+        visibility.push_back(lookUp(plan, atlas, prepared, samples, light));
     return visibility;
 }
 

@@ -136,6 +136,31 @@ TEST_F(ExecutorTest, MapsAreDrawnAgainOnlyWhenTheyOrTheirCastersDiffer)
     EXPECT_EQ(drawn(nothing), 0u);
 }
 
+MapTechnique lookupOf(const char* text) { return std::get<MapTechnique>(*parseTechnique(text)); }
+
+TEST_F(ExecutorTest, WhatLookupsPrepareStaysWithItsMapsAndNothingIsMadeForItTwice)
+{
+    GlExecutor executor;
+    Rng rng(21);
+    const Setting s = anySetting(rng, 2, {60, 50}, 60, 40);
+    const CasterSource source = s.casters;
+    for (const char* lookup : {"depths(4)+pcf(4)", "depths(8)", "dual-plane+bilinear", "msm", "fast-pcf"}) {
+        const FramePlan plan = planFor(s.scene, s.view, s.lights, {60, 50}, lookupOf(lookup));
+        const GlExecutor::Frame frame{s.casters, source, s.view, plan, s.lights};
+        const std::uint64_t before = executor.plansPrepared();
+        const Image<Rgba8> first = executor.render(frame);
+        EXPECT_EQ(executor.plansPrepared(), before + 1) << lookup;
+        const std::uint64_t made = gl::objectsMade();
+        EXPECT_TRUE(isSamePicture(executor.render(frame), first));
+        EXPECT_EQ(executor.plansPrepared(), before + 1) << lookup;
+        executor.forgetMaps();
+        EXPECT_TRUE(isSamePicture(executor.render(frame), first));
+        EXPECT_EQ(executor.plansPrepared(), before + 2) << lookup;
+        EXPECT_EQ(gl::objectsMade(), made) << lookup;
+        EXPECT_EQ(executor.measure(frame, 1).passes[3].name, "prepare");
+    }
+}
+
 TEST_F(ExecutorTest, MeasuringDrawsTheMapsOfEveryFrame)
 {
     GlExecutor executor;

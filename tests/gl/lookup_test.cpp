@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <string>
 
 namespace lixel::test {
 namespace {
@@ -28,18 +30,37 @@ ViewSamples anySamples(Rng& rng, int count, double half)
     return samples;
 }
 
+constexpr std::array kLookups{"pcf(1)",
+                              "pcf(4)",
+                              "pcf(9)",
+                              "pcf(16)",
+                              "pcf(25)",
+                              "pcf(16,rotated)",
+                              "pcf(9,jittered)",
+                              "bilinear",
+                              "hardware-pcf",
+                              "dual-plane",
+                              "bilinear+dual-plane",
+                              "fast-pcf",
+                              "depths(2,max)",
+                              "depths(2,min)+pcf(9)",
+                              "depths(3,q=25)+pcf(4)",
+                              "depths(4)+pcf(4)",
+                              "depths(5)+pcf(4)",
+                              "depths(8,q=25)+pcf(9)+dual-plane"};
+
 TEST_F(LookupTest, ShaderAndCppAgreeOnAnyMap)
 {
     ShadowDrawer draw(device());
     std::size_t all = 0, differing = 0, unserved = 0;
-    forEachCase(100, [&](Rng& rng) {
+    std::map<std::string, std::size_t> differingBy;
+    forEachCase(200, [&](Rng& rng) {
         const SmallScene scene = anyObjectsOnAFloor(rng, 1);
         const View view = anyViewOf(rng, {}, 1, 64, 64);
         std::vector<Light> lights;
         for (int i = rng.integer(1, 4); i > 0; --i) lights.push_back(anyLightOn(rng, {}, 1));
-        const std::array<int, 5> kernels{1, 4, 9, 16, 25};
-        MapTechnique technique;
-        technique.kernel = PcfKernel{kernels[std::size_t(rng.integer(0, 4))]};
+        const std::string lookup = kLookups[std::size_t(rng.integer(0, int(kLookups.size()) - 1))];
+        const auto technique = std::get<MapTechnique>(*parseTechnique(lookup));
         const FramePlan plan = planFor(scene, view, lights, {rng.integer(8, 60), rng.integer(8, 60)}, technique);
         TracedAtlas maps;
         for (int i = 0; i < plan.layers; ++i) {
@@ -47,19 +68,26 @@ TEST_F(LookupTest, ShaderAndCppAgreeOnAnyMap)
             for (float& depth : maps.back().data()) depth = rng.chance(0.2) ? 0.0f : float(rng.uniform(0, 1));
         }
         draw.writeAtlas(plan, maps);
+        const PreparedMaps prepared = prepareMaps(plan, maps);
         const ViewSamples samples = anySamples(rng, rng.integer(0, 2000), 1.2);
         const std::vector<Visibility> shader = draw.lookUp(plan, samples);
         for (std::size_t light = 0; light < lights.size(); ++light) {
-            const Visibility cpp = lookUp(plan, maps, samples, light);
+            const Visibility cpp = lookUp(plan, maps, prepared, samples, light);
             for (std::size_t i = 0; i < samples.size(); ++i) {
                 ++all;
                 unserved += cpp.unserved[i];
-                differing += shader[light].unserved[i] != cpp.unserved[i] ||
-                             std::abs(shader[light].value[i] - cpp.value[i]) > 1e-6;
+                // A texture unit has fewer digits of the areas.
+                const double most = lookup == "hardware-pcf" ? 1.0 / 128 : 1e-6;
+                const bool isDiffering = shader[light].unserved[i] != cpp.unserved[i] ||
+                                         std::abs(shader[light].value[i] - cpp.value[i]) > most;
+                differing += isDiffering;
+                differingBy[lookup] += isDiffering;
             }
         }
     });
     std::printf("%zu of %zu differ, %zu unserved\n", differing, all, unserved);
+    for (const auto& [lookup, count] : differingBy)
+        if (count > 0) std::printf("  %zu by %s\n", count, lookup.c_str());
     EXPECT_LT(double(differing), 1e-4 * double(all));
     EXPECT_GT(unserved, 0u);
 }
@@ -79,9 +107,9 @@ TEST_F(LookupTest, AnUnoccludedPlaneOrSphereIsLitAtAnySlopeAndScale)
         }
         const View view = anyViewOf(rng, scene.originWorld, half, 80, 60);
         const Light light = anyLightOn(rng, scene.originWorld, half, 1.2, 1e6);
-        MapTechnique technique;
+        auto technique =
+            std::get<MapTechnique>(*parseTechnique(kLookups[std::size_t(rng.integer(0, int(kLookups.size()) - 1))]));
         if (rng.chance(0.3)) technique.fit = UniformFit{};
-        if (rng.chance(0.3)) technique.kernel = PcfKernel{9};
         const int side = rng.integer(8, 512);
         const FramePlan plan = planFor(scene, view, {&light, 1}, {side, side}, technique);
         if (plan.lights[0].refused) return;
@@ -94,7 +122,7 @@ TEST_F(LookupTest, AnUnoccludedPlaneOrSphereIsLitAtAnySlopeAndScale)
                                toDouble(samples.normal[i])))
                 continue;
             ++all;
-            dark += visibility[0].value[i] < 1;
+            dark += visibility[0].value[i] < 1 - 1e-6f; // areas of four lixels add up to one but for rounding
             unserved += visibility[0].unserved[i];
         }
         EXPECT_EQ(dark, 0u) << "half " << half << " light " << int(light.kind) << " lixels " << side << " of "

@@ -122,7 +122,7 @@ TEST_F(ObservationTest, ListsThatAreSplitGiveTheSameCells)
     const ObservationGrid grid{30, 20};
     const auto observed = [&] {
         gather.run(draw.surfaces, o.view, targets, draw.points);
-        draw.lookupPass.run(o.plan, draw.tables, draw.atlas, draw.points, draw.visibility);
+        draw.lookupPass.run(o.plan, draw.tables, {draw.atlas, draw.prepared}, draw.points, draw.visibility);
         pass.run(draw.points, draw.visibility, o.lights, grid);
         readback.push(pass, {o.view, o.scene.originWorld, grid, true});
         Observation observation;

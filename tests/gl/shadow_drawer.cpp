@@ -30,7 +30,8 @@ void ShadowDrawer::writeAtlas(const FramePlan& plan, const TracedAtlas& maps)
 std::vector<Visibility> ShadowDrawer::lookUp(const FramePlan& plan, const ViewSamples& samples)
 {
     points.upload(samples);
-    lookupPass.run(plan, tables, atlas, points, visibility);
+    if (plan.lookup.isPrepared()) preparePass.run(plan, tables, atlas, prepared);
+    lookupPass.run(plan, tables, {atlas, prepared}, points, visibility);
     return visibility.download();
 }
 

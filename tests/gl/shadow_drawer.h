@@ -3,6 +3,7 @@
 
 #include "lixel/gl/passes/light_depth_pass.h"
 #include "lixel/gl/passes/lookup_pass.h"
+#include "lixel/gl/passes/prepare_pass.h"
 #include "lixel/plan/shadow_plan.h"
 #include "lixel/trace/trace_executor.h"
 #include "small_scenes.h"
@@ -20,6 +21,8 @@ struct ShadowDrawer
     gl::PlanTables tables;
     gl::ShadowAtlas atlas;
     gl::LightDepthPass depthPass{device};
+    gl::PreparedMaps prepared;
+    gl::PreparePass preparePass;
     gl::LookupPass lookupPass;
     gl::PointList points{device};
     gl::VisibilityList visibility;

@@ -26,6 +26,15 @@ TEST(TechniqueText, PartsLeftOutTakeTheirDefaultAndOrderIsFree)
               "whole+psm(shift=casters)+else(cube+focused)+allocation=need+depths(1)+pcf(1)");
 }
 
+TEST(TechniqueText, ALookupIsAStoreAKernelAndRefinements)
+{
+    EXPECT_EQ(canonical("depths(2)"), "whole+focused+depths(2,max,q=9,bits=32)+pcf(1)");
+    EXPECT_EQ(canonical("depths(3)+pcf(9,rotated)"), "whole+focused+depths(3,minmax,q=9,bits=32)+pcf(9,rotated)");
+    EXPECT_EQ(canonical("depths(7)"), "whole+focused+depths(7,sorted,q=9,bits=16)+pcf(1)");
+    EXPECT_EQ(canonical("dual-plane+bilinear"), "whole+focused+depths(1)+bilinear+dual-plane");
+    EXPECT_EQ(canonical("msm"), "whole+focused+msm(blur=3)+pcf(1)");
+}
+
 TEST(TechniqueText, StableIsTheTechniquesWhereverItStands)
 {
     EXPECT_EQ(canonical("pssm(4,stable)"), canonical("pssm(4)+focused(stable)"));
@@ -69,7 +78,18 @@ TEST(TechniqueText, TheCanonicalFormParsesBackToTheSameValue)
                              "scene-optimal+now",
                              "paper:now",
                              "paper:rtw+pcf(9)",
-                             "planes(floor,my wall)+allocation=exact+pcf(9)"}) {
+                             "planes(floor,my wall)+allocation=exact+pcf(9)",
+                             "depths(2)",
+                             "depths(2,min,q=25)+pcf(9,rotated)",
+                             "depths:3",
+                             "depths(4,bits=16)+bilinear+dual-plane",
+                             "depths(8,sorted)+pcf(jittered)",
+                             "fast-pcf+pcf(4)+dual-plane",
+                             "hardware-pcf+lispsm",
+                             "vsm",
+                             "evsm2(5)",
+                             "evsm4(blur=1)",
+                             "msm:7"}) {
         const Technique technique = *parseTechnique(text);
         EXPECT_EQ(*parseTechnique(toString(technique)), technique) << text;
     }
@@ -87,7 +107,31 @@ TEST(TechniqueText, WhatIsWrongIsOneLineThatQuotesIt)
                              "exact+focused",
                              "focused(2)",
                              "+",
-                             "depths(2)",
+                             "depths(0)",
+                             "depths(9)",
+                             "depths(max)",
+                             "depths(1,max)",
+                             "depths(2,minmax)",
+                             "depths(2,max,min)",
+                             "depths(3,max)",
+                             "depths(4,min)",
+                             "depths(2,q=16)",
+                             "depths(3,bits=16)",
+                             "depths(5,bits=32)",
+                             "pcf(4,rotated,jittered)",
+                             "pcf(4)+bilinear",
+                             "bilinear(2)",
+                             "dual-plane+dual-plane",
+                             "vsm+evsm2",
+                             "vsm+depths(2)",
+                             "vsm(blur=4)",
+                             "msm(blur=17)",
+                             "vsm+pcf(4)",
+                             "msm+dual-plane",
+                             "depths(2)+hardware-pcf",
+                             "hardware-pcf+dual-plane",
+                             "fast-pcf+bilinear",
+                             "exact+dual-plane",
                              "pcf(k=)",
                              "pcf(n=4)",
                              "exact-area(0)",

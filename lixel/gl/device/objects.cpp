@@ -26,6 +26,7 @@ void deleteVertexArray(std::uint32_t name) { glDeleteVertexArrays(1, &name); }
 void deleteShader(std::uint32_t name) { glDeleteShader(name); }
 void deleteProgram(std::uint32_t name) { glDeleteProgram(name); }
 void deleteQuery(std::uint32_t name) { glDeleteQueries(1, &name); }
+void deleteSampler(std::uint32_t name) { glDeleteSamplers(1, &name); }
 } // namespace detail
 
 VertexArray makeVertexArray()
@@ -40,6 +41,19 @@ Query makeTimerQuery()
     GLuint name = 0;
     glCreateQueries(GL_TIME_ELAPSED, 1, &name);
     return Query(name);
+}
+
+Sampler makeComparingSampler()
+{
+    GLuint name = 0;
+    glCreateSamplers(1, &name);
+    glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glSamplerParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glSamplerParameteri(name, GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
+    return Sampler(name);
 }
 
 namespace {
@@ -114,7 +128,7 @@ void Buffer::readBytes(std::size_t offset, void* data, std::size_t bytes) const
 }
 
 Texture::Texture(std::uint32_t internalFormat, int width, int height, int layers, int levels)
-    : width_(width), height_(height), layers_(layers)
+    : internalFormat_(internalFormat), width_(width), height_(height), layers_(layers)
 {
     GLuint name = 0;
     glCreateTextures(layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &name);
@@ -128,7 +142,8 @@ Texture::Texture(std::uint32_t internalFormat, int width, int height, int layers
 
 void Texture::resize(std::uint32_t internalFormat, int width, int height, int layers)
 {
-    if (name_.get() && width == width_ && height == height_ && layers == layers_) return;
+    if (name_.get() && internalFormat == internalFormat_ && width == width_ && height == height_ && layers == layers_)
+        return;
     *this = Texture(internalFormat, width, height, layers);
 }
 
@@ -136,6 +151,17 @@ void Texture::bind(int unit) const
 {
     glBindTextureUnit(GLuint(unit), name());
     glBindSampler(GLuint(unit), 0);
+}
+
+void Texture::bind(int unit, const Sampler& sampler) const
+{
+    glBindTextureUnit(GLuint(unit), name());
+    glBindSampler(GLuint(unit), sampler.get());
+}
+
+void Texture::bindImage(int unit) const
+{
+    glBindImageTexture(GLuint(unit), name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, internalFormat_);
 }
 
 Framebuffer::Framebuffer(std::span<const Texture* const> colours, const Texture* depth)

@@ -54,6 +54,7 @@ void deleteVertexArray(std::uint32_t name);
 void deleteShader(std::uint32_t name);
 void deleteProgram(std::uint32_t name);
 void deleteQuery(std::uint32_t name);
+void deleteSampler(std::uint32_t name);
 } // namespace detail
 
 using FramebufferName = detail::Name<detail::deleteFramebuffer>;
@@ -61,9 +62,12 @@ using VertexArray = detail::Name<detail::deleteVertexArray>;
 using ShaderName = detail::Name<detail::deleteShader>;
 using ProgramName = detail::Name<detail::deleteProgram>;
 using Query = detail::Name<detail::deleteQuery>;
+using Sampler = detail::Name<detail::deleteSampler>;
 
 VertexArray makeVertexArray();
 Query makeTimerQuery();
+// Compares a depth with the four texels around and filters what comes out: 1 where the texel is not above it.
+Sampler makeComparingSampler();
 
 // Bytes on the device. It grows when it must and never shrinks, so that frames of equal sizes make no object.
 class Buffer
@@ -136,12 +140,15 @@ public:
     int layers() const { return layers_; }
     std::uint32_t name() const { return name_.get(); }
 
-    // Makes it anew when the size differs; contents are then lost.
+    // Makes it anew when size or format differ; contents are then lost.
     void resize(std::uint32_t internalFormat, int width, int height, int layers = 0);
     void bind(int unit) const;
+    void bind(int unit, const Sampler& sampler) const;
+    void bindImage(int unit) const; // all layers, for shaders to write
 
 private:
     detail::Name<detail::deleteTexture> name_;
+    std::uint32_t internalFormat_ = 0;
     int width_ = 0, height_ = 0, layers_ = 0;
 };
 

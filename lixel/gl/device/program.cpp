@@ -69,6 +69,13 @@ Program Program::compute(const std::string& file, std::span<const std::string> d
     return Program(linkShaders(shaders, file));
 }
 
+const Program& ProgramSet::with(const std::vector<std::string>& defines)
+{
+    const auto found = programs_.find(defines);
+    if (found != programs_.end()) return found->second;
+    return programs_.emplace(defines, Program::compute(file_, defines)).first->second;
+}
+
 void Program::use() const { glUseProgram(name()); }
 void Program::set(int location, int value) const { glProgramUniform1i(name(), location, value); }
 void Program::set(int location, std::uint32_t value) const { glProgramUniform1ui(name(), location, value); }

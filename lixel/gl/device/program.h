@@ -4,8 +4,10 @@
 #include "lixel/gl/device/objects.h"
 #include "lixel/gl/device/shader_source.h"
 
+#include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace lixel::gl {
 
@@ -34,6 +36,18 @@ public:
 private:
     explicit Program(ProgramName name) : name_(std::move(name)) {}
     ProgramName name_;
+};
+
+// The programs of one compute shader by their defines, each made when it is first asked for.
+class ProgramSet
+{
+public:
+    explicit ProgramSet(std::string file) : file_(std::move(file)) {}
+    const Program& with(const std::vector<std::string>& defines);
+
+private:
+    std::string file_;
+    std::map<std::vector<std::string>, Program> programs_;
 };
 
 // One stage compiled; `stage` is OpenGL's enumerant. Also what compiles a host's text, whose log is mapped likewise.

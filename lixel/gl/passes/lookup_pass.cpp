@@ -16,30 +16,34 @@ namespace {
 // Locations in lookup.comp.glsl.
 constexpr int kPointCount = 0, kLight = 1, kTapsPerSide = 2;
 
-} // namespace
-
-const Program& LookupPass::programFor(bool isInDouble, bool isWarped)
+// What lixel_lookup.glsl has for hosts: the smallest of the programs.
+bool isOneDepth(const shared::LxLookup& how)
 {
-    Program& program = programs_[isInDouble][isWarped];
-    if (program.name()) return program;
-    std::vector<std::string> defines;
-    if (!isInDouble) defines.push_back("LIXEL_NO_DOUBLE");
-    if (!isWarped) defines.push_back("LIXEL_NO_WARP");
-    program = Program::compute("lookup.comp.glsl", defines);
-    return program;
+    return how.store == shared::LX_STORE_DEPTH && how.kernel == shared::LX_KERNEL_GRID && how.isDualPlane == 0;
 }
 
-void LookupPass::run(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas, const PointList& points,
+} // namespace
+
+LookupPass::LookupPass() : comparing_(makeComparingSampler()) {}
+
+void LookupPass::run(const FramePlan& plan, const PlanTables& tables, const Maps& maps, const PointList& points,
                      VisibilityList& visibility)
 {
     LX_ASSERT(points.originWorld() == plan.originWorld);
+    LX_ASSERT(!plan.lookup.isPrepared() || maps.prepared.areFor(plan));
     visibility.resize(points, plan.lights.size());
     tables.bind();
-    atlas.depth.bind(shared::kUnitAtlas);
+    maps.atlas.depth.bind(shared::kUnitAtlas);
+    maps.atlas.depth.bind(shared::kUnitHardware, comparing_);
+    maps.prepared.bind();
+    std::vector<std::string> defines;
     const auto anyRegion = [&](auto is) { return std::any_of(plan.regionTable.begin(), plan.regionTable.end(), is); };
-    const bool isInDouble = anyRegion([](const shared::ShadowRegion& region) { return region.place.w > 0; });
-    const bool isWarped = anyRegion([](const shared::ShadowRegion& region) { return region.warp.kind.x > 0; });
-    const Program& program = programFor(isInDouble, isWarped);
+    if (!anyRegion([](const shared::ShadowRegion& region) { return region.place.w > 0; }))
+        defines.emplace_back("LIXEL_NO_DOUBLE");
+    if (!anyRegion([](const shared::ShadowRegion& region) { return region.warp.kind.x > 0; }))
+        defines.emplace_back("LIXEL_NO_WARP");
+    if (!isOneDepth(plan.lookup.how)) defines.push_back(lookupDefine(plan.lookup.how));
+    const Program& program = programs_.with(defines);
     program.set(kTapsPerSide, plan.lookup.tapsPerSide);
     program.use();
     for (const PointList::Part& part : visibility.parts()) {

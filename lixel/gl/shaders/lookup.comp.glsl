@@ -7,7 +7,32 @@ layout(binding = kUnitAtlas) uniform sampler2DArray atlas;
 float lxStoredDepth(int x, int y, int layer) { return texelFetch(atlas, ivec3(x, y, layer), 0).r; }
 layout(std430, binding = kStorageWarps) readonly buffer Warps { float warpKnots[]; };
 float lxWarpKnot(int i) { return warpKnots[i]; }
-#include "lixel/shared/lookup.h"
+
+// LOOKUP says how, in terms of tapsPerSide; without it there is one depth a lixel and a regular grid of taps.
+layout(location = 2) uniform int tapsPerSide;
+#ifdef LOOKUP
+#include "lixel/shared/lookup/stored_depths.h"
+layout(binding = kUnitHardware) uniform sampler2DArrayShadow comparing;
+layout(binding = kUnitWords) uniform usampler2DArray words;
+layout(binding = kUnitMoreWords) uniform usampler2DArray moreWords;
+layout(binding = kUnitGradients) uniform usampler2DArray gradients;
+layout(binding = kUnitMoments) uniform sampler2DArray moments;
+LxWords lxStoredWords(int x, int y, int layer)
+{
+    uint more = (LOOKUP).depths > 6 ? texelFetch(moreWords, ivec3(x, y, layer), 0).r : 0u;
+    return LxWords(texelFetch(words, ivec3(x, y, layer), 0), more);
+}
+uint lxStoredGradient(int x, int y, int layer) { return texelFetch(gradients, ivec3(x, y, layer), 0).r; }
+vec4 lxStoredMoments(int x, int y, int layer) { return texelFetch(moments, ivec3(x, y, layer), 0); }
+float lxHardwareLit(vec2 lixel, int layer, float depth)
+{
+    return texture(comparing, vec4(lixel / vec2(textureSize(comparing, 0).xy), float(layer), depth));
+}
+#else
+#define LX_ONE_DEPTH
+#define LOOKUP lxOneDepth(tapsPerSide)
+#endif
+#include "lixel/shared/lookup/visibility.h"
 
 layout(local_size_x = 64) in;
 
@@ -19,7 +44,6 @@ layout(std430, binding = kStorageVisibility) writeonly buffer Visibilities { flo
 
 layout(location = 0) uniform uint pointCount;
 layout(location = 1) uniform int light;
-layout(location = 2) uniform int tapsPerSide;
 
 // What stands for a sample that no region of the light holds.
 const float kUnserved = -1.0;
@@ -38,7 +62,7 @@ float visibilityOf(vec3 positionLocal, vec3 normal)
     for (int i = first; i < end; ++i) {
         if (!holds(regions[i], positionLocal)) continue;
         LxReceiver receiver = lxReceive(regions[i], positionLocal, normal);
-        if (receiver.isInside > 0.0) return lxVisibility(regions[i], receiver, tapsPerSide);
+        if (receiver.isInside > 0.0) return lxVisibility(LOOKUP, regions[i], receiver, lxSeedOf(positionLocal));
     }
     return kUnserved;
 }

@@ -2,18 +2,33 @@
 #pragma once
 
 #include "lixel/plan/technique.h"
+#include "lixel/shared/lookup/how.h"
 
 namespace lixel {
 
-// What a store and kernel need and cost, as executors and allocation must know it. The lookup itself is
-// lixel/shared/lookup.h, one text for both executors.
+// What a technique's lookup needs and costs, as executors and allocation must know it. The lookup itself is
+// lixel/shared/lookup/visibility.h, one text for both executors.
 struct LookupLayout
 {
-    int tapsPerSide = 1;   // a square grid of taps, one lixel apart
-    int bytesPerLixel = 4; // one depth of 32 bits
-    double reach = 1;      // lixels from the sample's place to the farthest border of a tapped lixel, per axis
+    int tapsPerSide = 1; // a square grid of taps, one lixel apart; 2 where the four lixels around are weighed
+    double reach = 1;    // lixels from the sample's place to the farthest border of a lixel that counts, per axis
+
+    // Of every lixel: the map of one 32-bit depth, and what is prepared from it. Lookups of one depth read the map itself, others what was
+    // prepared, and the map is what that is made from.
+    int bytesPerLixel = 4;
+    int preparedWords = 0;     // of several depths: words of 32 bits in one texture, 1, 2 or 4, and ...
+    bool hasMoreWords = false; // one more in another
+    int momentChannels = 0;    // of 32-bit floats: 0, 2 or 4
+    bool hasGradients = false; // two 16-bit floats
+
+    bool isPrepared() const { return preparedWords > 0 || momentChannels > 0 || hasGradients; }
+
+    shared::LxLookup how = shared::lxOneDepth(1);
 };
 
-LookupLayout lookupLayout(const Store& store, const Kernel& kernel);
+LookupLayout lookupLayout(const MapTechnique& technique);
+
+// Lixels a side of the square that a lookup averages over, which is what its partial shadows stand for.
+double filterSide(const LookupLayout& lookup);
 
 } // namespace lixel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Where the taps of a lookup lie around a receiver: one text for the CPU executor and for GLSL.
+#ifndef LIXEL_SHARED_LOOKUP_KERNEL_H
+#define LIXEL_SHARED_LOOKUP_KERNEL_H
+#include "lixel/shared/lookup/how.h"
+
+LX_SHARED_BEGIN
+
+// A number that belongs to a word: PCG-RXS-M-XS (M. O'Neill. PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms
+// for Random Number Generation. 2014), as a hash.
+LX_FN uint lxDiced(uint word)
+{
+    uint state = word * 747796405u + 2891336453u;
+    uint mixed = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (mixed >> 22u) ^ mixed;
+}
+
+// Of a surface point. Its position is the same to the bit in every executor, which its place in the light image is not.
+LX_FN uint lxSeedOf(vec3 positionLocal)
+{
+    uint seed = lxDiced(floatBitsToUint(positionLocal.x));
+    seed = lxDiced(seed ^ floatBitsToUint(positionLocal.y));
+    return lxDiced(seed ^ floatBitsToUint(positionLocal.z));
+}
+
+// In [0, 1).
+LX_FN float lxUnit(uint word) { return float(word >> 8u) * 5.9604645e-8f; }
+
+// Tap (i, j) of a grid of `side` by `side`, in lixels from the receiver. Rotated: the whole grid by an angle of the receiver's, which is
+// less than a right one, since that maps the grid onto itself; t is the tangent of half of it. Jittered: each tap anywhere in its own
+// square.
+LX_FN vec2 lxTap(LxLookup how, int i, int j, uint seed)
+{
+    float first = -0.5f * float(how.side - 1);
+    float x = first + float(i);
+    float y = first + float(j);
+    if (how.kernel == LX_KERNEL_ROTATED) {
+        float t = lxUnit(seed);
+        float perT = 1.0f / (1.0f + t * t);
+        float cosine = (1.0f - t * t) * perT;
+        float sine = 2.0f * t * perT;
+        return vec2(cosine * x - sine * y, sine * x + cosine * y);
+    }
+    if (how.kernel == LX_KERNEL_JITTERED) {
+        uint one = lxDiced(seed + uint(j * how.side + i));
+        return vec2(x + lxUnit(one) - 0.5f, y + lxUnit(lxDiced(one)) - 0.5f);
+    }
+    return vec2(x, y);
+}
+
+LX_SHARED_END
+
+#endif

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Which depths a lixel keeps of its neighbours', one text for the CPU executor and for GLSL.
+//
+//   C. Pagot, J. Comba, M. Oliveira. Multiple-Depth Shadow Maps. SIBGRAPI 2004, section 4.3.
+//
+//   max, min, minmax   the farthest, the nearest or both of all q lixels around, its own among them; where lixels are alike, its own
+//   sorted             all q in order, nearest first, in n groups as equal as whole numbers are, the middle of each (the nearer of
+//                      two); in the group that has the lixel's own, its own
+//
+// The lixel's own depth is always kept. Neighbours end at the region's rectangle; where there are fewer than n, its own stands for the
+// rest. Empty lixels are as far as can be.
+#ifndef LIXEL_SHARED_SELECT_DEPTHS_H
+#define LIXEL_SHARED_SELECT_DEPTHS_H
+#include "lixel/shared/lookup/maps.h"
+
+LX_SHARED_BEGIN
+
+const int kLxPlaces = 25;
+
+// The map around a lixel, by places; `there` has a bit for each that the region owns and the neighbourhood reaches.
+struct LxNeighbours
+{
+    float depth[25];
+    uint there;
+};
+
+LX_MAP_FN LxNeighbours lxNeighbours(LxLookup how, vec4 rectangle, int x, int y, int layer LX_MAP)
+{
+    LxNeighbours n;
+    n.there = 0u;
+    for (int dy = -2; dy <= 2; ++dy) {
+        for (int dx = -2; dx <= 2; ++dx) {
+            int place = lxPlaceOf(dx, dy);
+            bool isReached = dx >= -how.around && dx <= how.around && dy >= -how.around && dy <= how.around;
+            bool isOwned = x + dx >= int(rectangle.x) && x + dx < int(rectangle.z) && y + dy >= int(rectangle.y) &&
+                           y + dy < int(rectangle.w);
+            n.depth[place] = 0.0f;
+            if (isReached && isOwned) {
+                n.depth[place] = LX_STORED_DEPTH(x + dx, y + dy, layer);
+                n.there |= 1u << uint(place);
+            }
+        }
+    }
+    return n;
+}
+
+// The farthest (sign 1) or nearest (sign -1) of them.
+LX_FN int lxExtreme(LxNeighbours n, float sign)
+{
+    int best = kLxOwnPlace;
+    for (int place = 0; place < kLxPlaces; ++place)
+        if ((n.there >> uint(place) & 1u) != 0u && sign * n.depth[place] < sign * n.depth[best]) best = place;
+    return best;
+}
+
+// How many come before it, nearest first.
+LX_FN int lxRank(LxNeighbours n, int place)
+{
+    int before = 0;
+    for (int other = 0; other < kLxPlaces; ++other) {
+        bool isThere = (n.there >> uint(other) & 1u) != 0u;
+        bool isBefore = n.depth[other] > n.depth[place] || (n.depth[other] == n.depth[place] && other < place);
+        before += isThere && isBefore ? 1 : 0;
+    }
+    return before;
+}
+
+// The places that `sorted` takes, but for its own.
+LX_FN uint lxSortedPlaces(LxNeighbours n, int depths)
+{
+    int all = bitCount(n.there);
+    int groups = min(depths, all);
+    int ownGroup = ((lxRank(n, kLxOwnPlace) + 1) * groups - 1) / all;
+    uint taken = 0u;
+    for (int place = 0; place < kLxPlaces; ++place) {
+        if ((n.there >> uint(place) & 1u) == 0u) continue;
+        int rank = lxRank(n, place);
+        int group = ((rank + 1) * groups - 1) / all;
+        int middle = (group * all / groups + (group + 1) * all / groups - 1) / 2;
+        if (group != ownGroup && rank == middle) taken |= 1u << uint(place);
+    }
+    return taken;
+}
+
+LX_FN LxWords lxPacked32(LxLookup how, LxNeighbours n)
+{
+    LxWords lixel;
+    uint rest = lxPackedDepth(n.depth[kLxOwnPlace], kLxOwnPlace);
+    lixel.words = uvec4(floatBitsToUint(n.depth[kLxOwnPlace]), rest, rest, rest);
+    lixel.more = 0u;
+    if (how.selection == LX_SELECT_SORTED) {
+        uint left = lxSortedPlaces(n, how.depths);
+        for (int i = 1; i < how.depths && left != 0u; ++i) {
+            int place = findLSB(left);
+            left &= left - 1u;
+            lixel.words[i] = lxPackedDepth(n.depth[place], place);
+        }
+        return lixel;
+    }
+    int farthest = lxExtreme(n, 1.0f);
+    int nearest = lxExtreme(n, -1.0f);
+    int first = how.selection == LX_SELECT_MAX ? farthest : nearest;
+    lixel.words.y = lxPackedDepth(n.depth[first], first);
+    if (how.selection == LX_SELECT_MINMAX) lixel.words.z = lxPackedDepth(n.depth[farthest], farthest);
+    return lixel;
+}
+
+LX_FN LxWords lxPacked16(LxLookup how, LxNeighbours n)
+{
+    LxWords lixel;
+    uint places = lxSortedPlaces(n, how.depths);
+    uint left = places;
+    lixel.words = uvec4(lxFixedDepth(n.depth[kLxOwnPlace], 65535.0f), 0u, 0u, 0u);
+    for (int i = 1; i < how.depths && left != 0u; ++i) {
+        uint depth = lxFixedDepth(n.depth[findLSB(left)], 65535.0f);
+        left &= left - 1u;
+        lixel.words[i / 2] |= i % 2 == 0 ? depth : depth << 16u;
+    }
+    lixel.more = places;
+    if (how.depths <= 6) lixel.words.w = places;
+    return lixel;
+}
+
+// Of Brabec and Seidel: at the border of the rectangle the last lixels again.
+LX_MAP_FN LxWords lxPacked8(vec4 rectangle, int x, int y, int layer LX_MAP)
+{
+    LxWords lixel;
+    lixel.words = uvec4(0u, 0u, 0u, 0u);
+    lixel.more = 0u;
+    for (int i = 0; i < 4; ++i) {
+        int tapX = min(x + i % 2, int(rectangle.z) - 1);
+        int tapY = min(y + i / 2, int(rectangle.w) - 1);
+        lixel.words.x |= lxFixedDepth(LX_STORED_DEPTH(tapX, tapY, layer), 255.0f) << uint(8 * i);
+    }
+    return lixel;
+}
+
+// What lixel (x, y) of a region with this rectangle holds, from the map.
+LX_MAP_FN LxWords lxPackedDepths(LxLookup how, vec4 rectangle, int x, int y, int layer LX_MAP)
+{
+    if (how.store == LX_STORE_DEPTHS8) return lxPacked8(rectangle, x, y, layer LX_PASS_MAP);
+    LxNeighbours n = lxNeighbours(how, rectangle, x, y, layer LX_PASS_MAP);
+    if (how.store == LX_STORE_DEPTHS16) return lxPacked16(how, n);
+    return lxPacked32(how, n);
+}
+
+LX_SHARED_END
+
+#endif
