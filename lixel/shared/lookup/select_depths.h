@@ -17,6 +17,56 @@ LX_SHARED_BEGIN
 
 const int kLxPlaces = 25;
 
+LX_FN bool lxOwns(vec4 rectangle, int x, int y)
+{
+    return x >= int(rectangle.x) && x < int(rectangle.z) && y >= int(rectangle.y) && y < int(rectangle.w);
+}
+
+// A depth of the map and its place.
+struct LxPlaced
+{
+    float depth;
+    int place;
+};
+
+// The farthest (sign 1) or nearest (sign -1) of a lixel and its neighbours.
+LX_MAP_FN LxPlaced lxExtreme(LxLookup how, vec4 rectangle, int x, int y, int layer, float sign LX_MAP)
+{
+    LxPlaced best;
+    best.depth = LX_STORED_DEPTH(x, y, layer);
+    best.place = kLxOwnPlace;
+    for (int dy = -how.around; dy <= how.around; ++dy) {
+        for (int dx = -how.around; dx <= how.around; ++dx) {
+            if (!lxOwns(rectangle, x + dx, y + dy)) continue;
+            float depth = LX_STORED_DEPTH(x + dx, y + dy, layer);
+            if (sign * depth < sign * best.depth) {
+                best.depth = depth;
+                best.place = lxPlaceOf(dx, dy);
+            }
+        }
+    }
+    return best;
+}
+
+// max, min and minmax.
+LX_MAP_FN LxWords lxPackedExtremes(LxLookup how, vec4 rectangle, int x, int y, int layer LX_MAP)
+{
+    float own = LX_STORED_DEPTH(x, y, layer);
+    LxWords lixel;
+    lixel.words = uvec4(floatBitsToUint(own), 0u, 0u, 0u);
+    lixel.more = 0u;
+    if (how.selection != LX_SELECT_MIN) {
+        LxPlaced farthest = lxExtreme(how, rectangle, x, y, layer, 1.0f LX_PASS_MAP);
+        lixel.words.y = lxPackedDepth(farthest.depth, farthest.place);
+    }
+    if (how.selection == LX_SELECT_MAX) return lixel;
+    LxPlaced nearest = lxExtreme(how, rectangle, x, y, layer, -1.0f LX_PASS_MAP);
+    uint nearestPacked = lxPackedDepth(nearest.depth, nearest.place);
+    if (how.selection == LX_SELECT_MIN) lixel.words.y = nearestPacked;
+    else lixel.words.z = nearestPacked;
+    return lixel;
+}
+
 // The map around a lixel, by places; `there` has a bit for each that the region owns and the neighbourhood reaches.
 struct LxNeighbours
 {
@@ -28,29 +78,16 @@ LX_MAP_FN LxNeighbours lxNeighbours(LxLookup how, vec4 rectangle, int x, int y, 
 {
     LxNeighbours n;
     n.there = 0u;
-    for (int dy = -2; dy <= 2; ++dy) {
-        for (int dx = -2; dx <= 2; ++dx) {
+    for (int place = 0; place < kLxPlaces; ++place) n.depth[place] = 0.0f;
+    for (int dy = -how.around; dy <= how.around; ++dy) {
+        for (int dx = -how.around; dx <= how.around; ++dx) {
+            if (!lxOwns(rectangle, x + dx, y + dy)) continue;
             int place = lxPlaceOf(dx, dy);
-            bool isReached = dx >= -how.around && dx <= how.around && dy >= -how.around && dy <= how.around;
-            bool isOwned = x + dx >= int(rectangle.x) && x + dx < int(rectangle.z) && y + dy >= int(rectangle.y) &&
-                           y + dy < int(rectangle.w);
-            n.depth[place] = 0.0f;
-            if (isReached && isOwned) {
-                n.depth[place] = LX_STORED_DEPTH(x + dx, y + dy, layer);
-                n.there |= 1u << uint(place);
-            }
+            n.depth[place] = LX_STORED_DEPTH(x + dx, y + dy, layer);
+            n.there |= 1u << uint(place);
         }
     }
     return n;
-}
-
-// The farthest (sign 1) or nearest (sign -1) of them.
-LX_FN int lxExtreme(LxNeighbours n, float sign)
-{
-    int best = kLxOwnPlace;
-    for (int place = 0; place < kLxPlaces; ++place)
-        if ((n.there >> uint(place) & 1u) != 0u && sign * n.depth[place] < sign * n.depth[best]) best = place;
-    return best;
 }
 
 // How many come before it, nearest first.
@@ -88,20 +125,12 @@ LX_FN LxWords lxPacked32(LxLookup how, LxNeighbours n)
     uint rest = lxPackedDepth(n.depth[kLxOwnPlace], kLxOwnPlace);
     lixel.words = uvec4(floatBitsToUint(n.depth[kLxOwnPlace]), rest, rest, rest);
     lixel.more = 0u;
-    if (how.selection == LX_SELECT_SORTED) {
-        uint left = lxSortedPlaces(n, how.depths);
-        for (int i = 1; i < how.depths && left != 0u; ++i) {
-            int place = findLSB(left);
-            left &= left - 1u;
-            lixel.words[i] = lxPackedDepth(n.depth[place], place);
-        }
-        return lixel;
+    uint left = lxSortedPlaces(n, how.depths);
+    for (int i = 1; i < how.depths && left != 0u; ++i) {
+        int place = findLSB(left);
+        left &= left - 1u;
+        lixel.words[i] = lxPackedDepth(n.depth[place], place);
     }
-    int farthest = lxExtreme(n, 1.0f);
-    int nearest = lxExtreme(n, -1.0f);
-    int first = how.selection == LX_SELECT_MAX ? farthest : nearest;
-    lixel.words.y = lxPackedDepth(n.depth[first], first);
-    if (how.selection == LX_SELECT_MINMAX) lixel.words.z = lxPackedDepth(n.depth[farthest], farthest);
     return lixel;
 }
 
@@ -139,6 +168,7 @@ LX_MAP_FN LxWords lxPacked8(vec4 rectangle, int x, int y, int layer LX_MAP)
 LX_MAP_FN LxWords lxPackedDepths(LxLookup how, vec4 rectangle, int x, int y, int layer LX_MAP)
 {
     if (how.store == LX_STORE_DEPTHS8) return lxPacked8(rectangle, x, y, layer LX_PASS_MAP);
+    if (how.selection != LX_SELECT_SORTED) return lxPackedExtremes(how, rectangle, x, y, layer LX_PASS_MAP);
     LxNeighbours n = lxNeighbours(how, rectangle, x, y, layer LX_PASS_MAP);
     if (how.store == LX_STORE_DEPTHS16) return lxPacked16(how, n);
     return lxPacked32(how, n);
