@@ -33,6 +33,7 @@ struct CompareOptions
     std::string executor = "gl";
     int timingFrames = 5;
     bool withoutPictures = false;
+    bool withShades = false;
 };
 
 std::vector<std::unique_ptr<Executor>> makeExecutors(const std::string& word)
@@ -68,12 +69,23 @@ std::string temporalColumns(const Measurement& m)
                        number(m.footprintPixelsPerLixel, &Percentiles::p90));
 }
 
+std::string shadeColumns(const ShadeQuality& shades)
+{
+    return fmt::format("{:>7} {:>10.2f} {:>10.4f} {:>13}", shades.distinct, shades.transitionPixels, shades.area.rmse,
+                       shades.filtered ? fmt::format("{:.4f}", shades.filtered->rmse) : "");
+}
+
 void printSummary(const RunResults& results, bool isPath, std::FILE* to)
 {
+    const bool hasShades = std::ranges::any_of(
+        results.rows, [](const ResultRow& row) { return row.measured() && row.measured()->shades; });
     fmt::print(to, "{:<24} {:<14} {:<34} {:<6} {:>14} {:>12} {:>10}", "view", "light", "technique", "by",
                "misclassified", "interior", "frame");
     fmt::print(to, "{}\n",
-               isPath ? fmt::format(" {:>12} {:>14} {:>14}", "flips", "footprint p50", "footprint p90") : "");
+               isPath ? fmt::format(" {:>12} {:>14} {:>14}", "flips", "footprint p50", "footprint p90")
+               : hasShades
+                   ? fmt::format(" {:>7} {:>10} {:>10} {:>13}", "shades", "transition", "area RMSE", "filtered RMSE")
+                   : "");
     for (const ResultRow& row : results.rows) {
         fmt::print(to, "{:<24} {:<14} {:<34} {:<6} ", row.view, row.light, row.technique, row.executor);
         if (const Refusal* refusal = row.refused()) {
@@ -81,10 +93,10 @@ void printSummary(const RunResults& results, bool isPath, std::FILE* to)
             continue;
         }
         const Measurement& m = *row.measured();
-        fmt::print(to, "{:>14} {:>12} {:>10}{}\n", percent(m.misclassified, m.lightFacing),
+        fmt::print(to, "{:>14} {:>12} {:>10}{}{}\n", percent(m.misclassified, m.lightFacing),
                    percent(m.interior.misclassified, m.interior.samples),
                    m.timing.frameMs ? fmt::format("{:.1f} ms", *m.timing.frameMs) : "",
-                   m.temporal ? " " + temporalColumns(m) : "");
+                   m.temporal ? " " + temporalColumns(m) : "", m.shades ? " " + shadeColumns(*m.shades) : "");
     }
 }
 
@@ -137,7 +149,9 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
     comparison.techniques = withExact(readTechniques(options.techniques));
     comparison.lixels = readBudget(options.lixels, "--lixels", kMostLixelsASide);
     comparison.timingFrames = options.timingFrames;
+    comparison.withShades = options.withShades;
     const bool isPath = isPathOfFrames(options);
+    if (isPath && options.withShades) throw UsageError("--shades is of pictures, not of the frames of a path");
     if (options.output.empty() && options.json.empty())
         throw UsageError("compare: give -o FOLDER for the report, or --json FILE (or -)");
     if (options.output == "-") throw UsageError("compare -o -: expected the name of a folder");
@@ -202,6 +216,10 @@ Command addCompare(CLI::App& parent, const std::string& commandLine)
     app->add_option("--timing-frames", o->timingFrames, "frames to take the median time of; 0: none")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
+    app->add_flag(
+        "--shades", o->withShades,
+        "how good partial shadows are: their number, width and error over the edge band, against the share of "
+        "the pixel and of the filter's footprint that is lit");
     app->add_flag("--no-pictures", o->withoutPictures, "only numbers in the report");
     return {app, [o, commandLine] { return runCompare(*o, commandLine); }};
 }

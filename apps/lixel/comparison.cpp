@@ -6,6 +6,7 @@
 #include "lixel/report/png.h"
 #include "lixel/trace/exact_visibility.h"
 #include "plane_errors.h"
+#include "shade_quality.h"
 #include "shadows.h"
 #include "text.h"
 
@@ -203,6 +204,7 @@ std::vector<ResultRow> rowsOf(const ShotContext& context, Executor& executor, co
             m.pictures.error =
                 pictures.write(errorPicture(verdicts(context, light, visibility[light])), lightName + "-error");
         if (plan) addMap(context, *plan, light, pictures, lightName, m);
+        if (!context.truth.partial.empty()) m.shades = shadeQuality(context, visibility[light], plan, light);
         row.outcome = std::move(m);
     }
     return rows;
@@ -294,7 +296,8 @@ std::vector<ResultRow> compareShot(const Shooting& shooting, const Shot& shot, c
     onStep(shot.name + ": view samples");
     const ViewSamples samples = executors.front()->viewSamples(stage, view);
     onStep(shot.name + ": exact visibility");
-    const Truth truth = findTruth(stage, samples, shot.lights, shooting.planes);
+    Truth truth = findTruth(stage, samples, shot.lights, shooting.planes);
+    if (options.withShades) truth.partial = findPartialTruth(stage, view, samples, shot.lights, truth);
     return compareTechniques({shooting, shot, stage, view, samples, truth, options}, executors, onStep);
 }
 

@@ -24,7 +24,16 @@ struct ComparisonOptions
     int timingFrames = 5;           // 0: no times
     std::size_t footprintStep = 1;  // footprints are of one sample in so many; with pictures of all
     PlanMemory memory = {};         // what plans know of the frame before
+    bool withShades = false;        // compareShot() asks for partial truth
     std::filesystem::path pictures; // folder for PNGs; empty: none
+};
+
+// Samples of the edge band of one light, and the share of the pixel around each that is lit (exact-area).
+struct PartialTruth
+{
+    std::vector<std::size_t> band; // of the shot's samples
+    ViewSamples samples;           // those
+    std::vector<float> area;
 };
 
 // Exact visibility of one shot and what follows from it.
@@ -33,6 +42,7 @@ struct Truth
     std::vector<std::vector<float>> exact; // [light][sample]
     std::vector<std::vector<Zone>> zones;  // [light][sample]
     std::vector<int> plane;                // [sample]: on which of the scene's planes, or kOnNoPlane
+    std::vector<PartialTruth> partial;     // [light], where it is asked for (shade_quality.h): rows then have shades
 };
 Truth findTruth(const Stage& stage, const ViewSamples& samples, std::span<const Light> lights,
                 std::span<const NamedPlane> planes);

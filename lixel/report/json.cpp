@@ -58,6 +58,18 @@ Json temporal(const Temporal& of)
     return json;
 }
 
+Json shades(const ShadeQuality& of)
+{
+    return {{"distinct", of.distinct},
+            {"transition_pixels", of.transitionPixels},
+            {"bleeding_percent", of.bleedingPercent},
+            {"area_rmse", of.area.rmse},
+            {"area_largest", of.area.largest},
+            {"filter_lixels", orNull(of.filterLixels)},
+            {"filtered_rmse", of.filtered ? Json(of.filtered->rmse) : Json(nullptr)},
+            {"filtered_largest", of.filtered ? Json(of.filtered->largest) : Json(nullptr)}};
+}
+
 Json pictures(const PictureFiles& files)
 {
     Json json = Json::object();
@@ -132,6 +144,7 @@ void putMeasurement(Json& row, const Measurement& of)
         row["shared_misclassified_percent"] = orNull(of.agreement->sharedMisclassifiedPercent);
     }
     if (of.temporal) row["temporal"] = temporal(*of.temporal);
+    if (of.shades) row["shades"] = shades(*of.shades);
     row["pictures"] = pictures(of.pictures);
     row["timing"] = timing(of.timing);
 }

@@ -112,6 +112,21 @@ struct LeftOut
     std::string plane, reason;
 };
 
+// Partial shadow against what it may stand for, over the samples of the edge band.
+struct TruthError
+{
+    double rmse = 0, largest = 0;
+};
+struct ShadeQuality
+{
+    std::int64_t distinct = 0;          // shades of light-facing samples
+    double transitionPixels = 0;        // from 5 to 95 % lit, across the boundary of exact visibility
+    double bleedingPercent = 0;         // mean light of interior samples that are exactly dark
+    TruthError area;                    // against the share of the pixel that is lit
+    std::optional<double> filterLixels; // a side of what the lookup averages over; no value: a technique without a map
+    std::optional<TruthError> filtered; // against the share of that square that is lit
+};
+
 struct Measurement
 {
     std::int64_t lightFacing = 0; // view samples that count
@@ -128,7 +143,8 @@ struct Measurement
     std::optional<Percentiles> footprintPixelsPerLixel; // no value: a technique without a map
     std::optional<Percentiles> densityLixelsPerPixel;
     std::optional<Agreement> agreement;
-    std::optional<Temporal> temporal; // no value: of a single picture
+    std::optional<Temporal> temporal;   // no value: of a single picture
+    std::optional<ShadeQuality> shades; // where it was asked for
     PictureFiles pictures;
     RowTiming timing;
 };

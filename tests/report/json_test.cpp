@@ -130,6 +130,16 @@ TEST(ResultsJson, PercentagesAreThoseOfTheCounts)
     EXPECT_TRUE(row["interior_percent"].is_null()); // a share of nothing
 }
 
+TEST(ResultsJson, ShadesOfATechniqueWithoutAMapHaveNoFilter)
+{
+    RunResults run = sampleRun();
+    run.rows = {run.rows.front()};
+    firstMeasured(run).shades = ShadeQuality{3, 1.5, 0, {0.5, 1}, {}, {}};
+    const Json told = Json::parse(toJson(run))["results"][0]["shades"];
+    EXPECT_EQ(told["area_rmse"], 0.5);
+    EXPECT_TRUE(told["filter_lixels"].is_null() && told["filtered_rmse"].is_null());
+}
+
 TEST(ResultsJson, FlipsAreToldOfPathsOnlyWithTheirShares)
 {
     EXPECT_FALSE(Json::parse(toJson(sampleRun()))["results"][0].contains("temporal"));

@@ -90,6 +90,7 @@ Measurement measure(SampleScene& scene, const SampleTechnique& technique)
         measurement.bytes = 512 * 512 * 4;
         measurement.footprintPixelsPerLixel = Percentiles{0.1, 0.3, 1.2, 4.5, 9.75, 31};
         measurement.densityLixelsPerPixel = Percentiles{0.01, 0.05, 0.7, 3.2, 9, 40};
+        measurement.shades = ShadeQuality{17, 2.5, 0.25, {0.125, 0.75}, 4.0, TruthError{0.0625, 0.5}};
     }
     return measurement;
 }

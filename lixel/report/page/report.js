@@ -37,6 +37,15 @@ function showRows() {
     column("Off planes %", row => planeErrors(row, false), percentText, "of all other samples"));
   if (measured.some(row => row.regions?.some(one => one.plane !== null) || row.left_out)) columns.push(
     {...column("Maps", mapsText), title: "of planes and of the rest, lixels; planes without a map, and why"});
+  const shade = (label, key, title) => column(label, row => row.shades?.[key] ?? null, numberText, title);
+  if (measured.some(row => row.shades)) columns.push(
+    shade("Shades", "distinct", "different values of visibility"),
+    shade("Transition", "transition_pixels", "pixels from 5 to 95 % lit, across the boundary of exact visibility"),
+    shade("Bleeding %", "bleeding_percent", "mean light of interior samples that are exactly dark"),
+    shade("Area RMSE", "area_rmse", "over the edge band, against the share of the pixel that is lit"),
+    shade("Area largest", "area_largest", "error over the edge band"),
+    shade("Filtered RMSE", "filtered_rmse", "over the edge band, against the share of the filter's footprint that is lit"),
+    shade("Filtered largest", "filtered_largest", "error over the edge band"));
   const inZone = (label, key) => column(label, row => row.temporal?.[key] ?? null, percentText,
     "of those points, in this zone of the earlier frame");
   if (isPath) columns.push(

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "comparison.h"
+#include "lixel/judge/shades.h"
+
+#include <vector>
+
+// How good partial shadows are, against the two truths that they may stand for.
+namespace lixel::app {
+
+inline constexpr int kAreaRays = 64;   // a pixel
+inline constexpr int kFilterRays = 16; // a side of a filter's footprint
+
+// One a light.
+std::vector<PartialTruth> findPartialTruth(const Stage& stage, const View& view, const ViewSamples& samples,
+                                           std::span<const Light> lights, const Truth& truth);
+
+std::vector<float> valuesOf(std::span<const float> values, std::span<const std::size_t> which);
+
+// Of one row; `plan` is null without a map.
+ShadeQuality shadeQuality(const ShotContext& context, const Visibility& visibility, const FramePlan* plan,
+                          std::size_t light);
+
+} // namespace lixel::app

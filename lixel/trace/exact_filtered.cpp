@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "lixel/trace/exact_filtered.h"
+
+#include "lixel/base/assert.h"
+#include "lixel/plan/light_image.h"
+#include "lixel/trace/parallel.h"
+#include "lixel/trace/shadow_ray.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace lixel {
+namespace {
+
+struct Served
+{
+    LightImage image;
+    Vec3d lixelAndDepth;
+};
+
+bool facesLight(const TraceScene& scene, const SurfacePoint& point, const Light& light)
+{
+    return isLightFacing(light, scene.originWorld(), toDouble(point.positionLocal), toDouble(point.normal));
+}
+
+// By the first region that holds the point.
+std::optional<Served> servedAt(const ShadowPlan& plan, Vec3d pointLocal)
+{
+    for (const PlannedRegion& region : plan.regions) {
+        const auto isOutside = [&](const Plane& plane) { return plane.signedDistance(pointLocal) < 0; };
+        if (std::ranges::any_of(region.halfSpacesLocal, isOutside)) continue;
+        const LightImage image(region.lightClipFromLocal, region.rectangle, &region.warp);
+        if (const auto lixel = image.lixelAt(pointLocal)) return Served{image, *lixel};
+    }
+    return std::nullopt;
+}
+
+// Where the light's ray through a place of the map meets the plane of the sample.
+std::optional<SurfacePoint> onPlaneOf(const SurfacePoint& sample, const LightImage& image, Vec2d place)
+{
+    const auto ray = image.rayThrough(place);
+    if (!ray) return std::nullopt;
+    const Vec3d normal = toDouble(sample.normal);
+    const double along = dot(normal, ray->directionLocal);
+    if (along == 0) return std::nullopt;
+    const double t = dot(normal, toDouble(sample.positionLocal) - ray->originLocal) / along;
+    const Vec3d p = ray->originLocal + t * ray->directionLocal;
+    if (!isFinite(p)) return std::nullopt;
+    return SurfacePoint{toFloat(p), sample.normal, kNoTriangle};
+}
+
+} // namespace
+
+std::vector<float> exactFiltered(const TraceScene& scene, const ShadowPlan& plan, const ViewSamples& samples,
+                                 const Light& light, double side, int n)
+{
+    LX_ASSERT(samples.originWorld == scene.originWorld() && side > 0 && n > 0);
+    std::vector<float> share(samples.size(), 0.0f);
+    forEachBlock(samples.size(), 64, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const SurfacePoint sample = surfacePoint(samples, i);
+            if (!facesLight(scene, sample, light)) continue;
+            const auto served = servedAt(plan, toDouble(sample.positionLocal));
+            int facing = 0, lit = 0;
+            for (int k = 0; served && k < n * n; ++k) {
+                const Vec2d offset{(k % n + 0.5) / n - 0.5, (k / n + 0.5) / n - 0.5};
+                const Vec2d middle{served->lixelAndDepth.x, served->lixelAndDepth.y};
+                const auto point = onPlaneOf(sample, served->image, middle + side * offset);
+                if (!point || !facesLight(scene, *point, light)) continue;
+                ++facing;
+                if (!isInShadow(scene, *point, light)) ++lit;
+            }
+            if (facing > 0) share[i] = float(lit) / float(facing);
+            else share[i] = isInShadow(scene, sample, light) ? 0.0f : 1.0f;
+        }
+    });
+    return share;
+}
+
+} // namespace lixel
