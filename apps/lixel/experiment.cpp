@@ -7,7 +7,7 @@ namespace lixel::app {
 
 std::span<const Experiment> experiments()
 {
-    static const std::array<Experiment, 5> kAll{{
+    static const std::array<Experiment, 8> kAll{{
         {"normal-against-focused",
          "H. Chong, S. Gortler. Scene Optimized Shadow Mapping. 2007, Table 1 (columns Focused and Normal)",
          "How many more samples does a map of the whole scene get wrong than one focused on the view?", "gl", true,
@@ -29,6 +29,18 @@ std::span<const Experiment> experiments()
          "gl", false, reproduceSceneOptimisedTable2},
         {"scene-optimised-table3", "H. Chong, S. Gortler. Scene Optimized Shadow Mapping. 2007, Table 3",
          "Where does the time of a frame with scene-optimised maps go?", "gl", false, reproduceSceneOptimisedTable3},
+        {"multiple-depth-table1",
+         "C. Pagot, J. Comba, M. Oliveira. Multiple-Depth Shadow Maps. SIBGRAPI 2004, Table 1 and Figure 3",
+         "How many shades do n depths a lixel and k taps give in pictures, of the nk + 1 that there can be?", "gl",
+         false, reproduceMultipleDepthTable1},
+        {"multiple-depth-figures",
+         "C. Pagot, J. Comba, M. Oliveira. Multiple-Depth Shadow Maps. SIBGRAPI 2004, Figures 1, 6 and 7",
+         "Are the shadows of several depths and small kernels as good as those of one depth and a larger kernel?", "gl",
+         false, reproduceMultipleDepthFigures},
+        {"multiple-depth-cost",
+         "C. Pagot, J. Comba, M. Oliveira. Multiple-Depth Shadow Maps. SIBGRAPI 2004, equations 1 to 6",
+         "From how many fragments a lixel on are several depths cheaper than a larger kernel?", "gl", false,
+         reproduceMultipleDepthCost},
     }};
     return kAll;
 }

@@ -39,5 +39,8 @@ Reproduction reproduceLixelFig7(const ExperimentOptions& options);
 Reproduction reproduceSceneOptimisedTable1(const ExperimentOptions& options);
 Reproduction reproduceSceneOptimisedTable2(const ExperimentOptions& options);
 Reproduction reproduceSceneOptimisedTable3(const ExperimentOptions& options);
+Reproduction reproduceMultipleDepthTable1(const ExperimentOptions& options);
+Reproduction reproduceMultipleDepthFigures(const ExperimentOptions& options);
+Reproduction reproduceMultipleDepthCost(const ExperimentOptions& options);
 
 } // namespace lixel::app

@@ -231,5 +231,48 @@ TEST(Reproduce, LightsAndSizesAreForExperimentsWithManyLightsOnly)
     }
 }
 
+CommandResult runMultipleDepth(const std::string& name, const TemporaryFolder& folder)
+{
+    CommandOptions options;
+    options.folder = folder.path();
+    return runLixel({"reproduce", name, "--quick", "--executor", "trace", "--json", "out.json"}, options);
+}
+
+// Never more shades than n k + 1, and all of them where they are few.
+TEST(ReproduceMultipleDepth, Table1ComesOutOfAPicture)
+{
+    const TemporaryFolder folder;
+    const CommandResult run = runMultipleDepth("multiple-depth-table1", folder);
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const std::string text = readWhole(folder.path() / "out.json");
+    EXPECT_EQ(schemaError(text), "");
+    const Json numbers = Json::parse(text).at("reproduction").at("numbers");
+    ASSERT_EQ(numbers.size(), 40u);
+    for (const Json& number : numbers) {
+        EXPECT_LE(number.at("ours"), number.at("papers")) << number.at("key");
+        if (number.at("papers") <= 50) {
+            EXPECT_EQ(number.at("ours"), number.at("papers")) << number.at("key");
+        }
+    }
+}
+
+// Of 512 lixels a side, sqrt(9 / 7): the paper's 656 is 1.28 times the side, and should be 1.28 times the area.
+TEST(ReproduceMultipleDepth, TheScreenOfEquation6Has580PixelsASide)
+{
+    const TemporaryFolder folder;
+    const CommandResult run = runMultipleDepth("multiple-depth-cost", folder);
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const Json numbers = Json::parse(readWhole(folder.path() / "out.json")).at("reproduction").at("numbers");
+    for (const Json& number : numbers) {
+        const std::string key = number.at("key");
+        if (key.starts_with("equation 6")) {
+            EXPECT_NEAR(number.at("ours"), 580.55, 0.01);
+        }
+        if (key.ends_with("forward")) {
+            EXPECT_GE(number.at("ours"), 1);
+        }
+    }
+}
+
 } // namespace
 } // namespace lixel::test

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "experiment.h"
+#include "experiments/one_picture.h"
+#include "run_results.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include <fmt/format.h>
+
+// Pagot, Comba, Oliveira 2004, sections 4.1 and 6: what filtering costs. The paper counts texture accesses,
+//
+//   (1) cost_sm = f (transf + k (texture + st))       (3) cost_scene = f k
+//   (2) cost_2value = q h w                           (4) cost_2sm_scene = q h w + f k
+//   (5) PCF(k,2) is cheaper than PCF(k+r,1) when f > q h w / r         (6) deferred: lambda_h lambda_w > q / r
+//
+// with q = 9, k = 9, r = 7. Here the terms are measured: lookup passes of pictures of many sizes against maps of 512x512, a straight
+// line through their times over k for each n, and the pass that chooses depths.
+namespace lixel::app {
+namespace {
+
+constexpr const char* kScene = "bunnies";
+constexpr const char* kView = "overview";
+constexpr int kMap = 512;
+constexpr std::array<int, 5> kTaps{1, 4, 9, 16, 25};
+constexpr double kQ = 9, kR = 16 - 9;
+
+// Section 6: the resolution from which on the deferred method pays, and the factor of the number of fragments.
+constexpr double kPaperSide = 656, kPaperFactor = 1.28;
+
+struct PassMs
+{
+    double prepare = 0, lookup = 0;
+};
+
+struct Line // ms = at + perTap k
+{
+    double at = 0, perTap = 0;
+};
+
+Line lineThrough(const std::array<double, kTaps.size()>& ms)
+{
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (std::size_t i = 0; i < kTaps.size(); ++i) {
+        const double k = kTaps[i];
+        n += 1, x += k, y += ms[i], xx += k * k, xy += k * ms[i];
+    }
+    const double perTap = (n * xy - x * y) / (n * xx - x * x);
+    return {(y - perTap * x) / n, perTap};
+}
+
+class Cost
+{
+public:
+    explicit Cost(const ExperimentOptions& options)
+        : options_(options),
+          executor_(makeExecutor(options.executor)),
+          sides_(options.isQuick ? std::vector<int>{128, 256} : std::vector<int>{256, 384, 512, 640, 768, 1024, 1280})
+    {
+    }
+    Reproduction run();
+
+private:
+    PassMs timeOf(const OnePicture& picture, const std::string& technique);
+    void addTerms(const OnePicture& picture);
+    void addBreakEven();
+    void addFragments();
+    void add(const std::string& key, const char* unit, double ours)
+    {
+        out_.timingNumbers.push_back({key, unit, ours, {}, ""});
+    }
+
+    const ExperimentOptions& options_;
+    std::unique_ptr<Executor> executor_;
+    std::vector<int> sides_;
+    double samplesShare_ = 0; // of pixels that see a surface
+    Line one_, two_;          // ms a sample
+    double prepare_ = 0;      // ms of the map
+    Reproduction out_;
+};
+
+PassMs Cost::timeOf(const OnePicture& picture, const std::string& technique)
+{
+    const FramePlan plan = picture.planOf(technique, {kMap, kMap}, *executor_);
+    const RowTiming timing = executor_->time(picture.stage, plan, picture.view, options_.isQuick ? 1 : 15);
+    PassMs out;
+    for (const PassTime& pass : timing.passes) {
+        if (pass.name == "prepare") out.prepare = pass.ms;
+        if (pass.name == "lookup") out.lookup = pass.ms;
+    }
+    return out;
+}
+
+// Equation 1 by n, and equation 2, in nanoseconds.
+void Cost::addTerms(const OnePicture& picture)
+{
+    const double samples = double(picture.samples.size());
+    samplesShare_ = samples / (double(picture.view.width) * picture.view.height);
+    constexpr std::array kDepths{1, 2, 3, 4, 8};
+    for (const int n : std::span(kDepths).first(options_.isQuick ? 2 : kDepths.size())) {
+        std::array<double, kTaps.size()> ms{};
+        double prepare = 0;
+        for (std::size_t i = 0; i < kTaps.size(); ++i) {
+            const PassMs pass = timeOf(picture, fmt::format("depths({})+pcf({})", n, kTaps[i]));
+            ms[i] = pass.lookup;
+            prepare = std::max(prepare, pass.prepare);
+        }
+        const Line line = lineThrough(ms);
+        add(fmt::format("equation 1, n = {}: transf, a sample", n), "ns", 1e6 * line.at / samples);
+        add(fmt::format("equation 1, n = {}: texture + st, a tap of a sample", n), "ns", 1e6 * line.perTap / samples);
+        if (n > 1)
+            add(fmt::format("equation 2, n = {}: choosing depths, a lixel and neighbour", n), "ns",
+                1e6 * prepare / (kQ * kMap * kMap));
+        if (n == 1) one_ = {line.at / samples, line.perTap / samples};
+        if (n == 2) two_ = {line.at / samples, line.perTap / samples}, prepare_ = prepare;
+    }
+}
+
+// Where PCF(9,2) with its preparation overtakes PCF(16,1), by the terms and by whole measurements at growing pictures.
+void Cost::addBreakEven()
+{
+    const double gain = one_.at + 16 * one_.perTap - two_.at - 9 * two_.perTap; // ms a sample
+    add("predicted break-even, f / (h w)", "fragments a lixel; below 0: never",
+        prepare_ / gain / (double(kMap) * kMap));
+    std::optional<double> crossing;
+    double before = 0, beforeF = 0;
+    for (const int side : sides_) {
+        const OnePicture picture(kScene, kView, fmt::format("{}x{}", side, side), *executor_);
+        const PassMs classic = timeOf(picture, "pcf(16)"), multiple = timeOf(picture, "depths(2,max)+pcf(9)");
+        const double f = double(picture.samples.size()) / (double(kMap) * kMap);
+        const double more = multiple.prepare + multiple.lookup - classic.lookup;
+        add(fmt::format("lambda {:.3f}: PCF(16,1)", double(side) / kMap), "ms", classic.lookup);
+        add(fmt::format("lambda {:.3f}: PCF(9,2) and its depths", double(side) / kMap), "ms",
+            multiple.prepare + multiple.lookup);
+        add(fmt::format("lambda {:.3f}: PCF(9,2) of maps that are kept", double(side) / kMap), "ms", multiple.lookup);
+        if (!crossing && more < 0 && beforeF > 0) crossing = beforeF + (f - beforeF) * before / (before - more);
+        if (!crossing && more < 0 && beforeF == 0) crossing = f;
+        before = more, beforeF = f;
+    }
+    if (!crossing) return;
+    add("measured break-even, f / (h w)", "fragments a lixel", *crossing);
+    add("measured break-even, lambda", "sides, all pixels seen", std::sqrt(*crossing));
+}
+
+// Fragments of a forward renderer without a depth test, a pixel: what f is for scenes.
+void Cost::addFragments()
+{
+    constexpr std::array kScenes{"bunnies", "table", "objects", "colonnade", "fence", "city", "lamp"};
+    for (const char* scene : std::span(kScenes).first(options_.isQuick ? 1 : kScenes.size())) {
+        const OnePicture picture(scene, "", "256x256", *executor_);
+        const double pixels = double(picture.view.width) * picture.view.height;
+        out_.numbers.push_back({fmt::format("{}, {}: fragments a pixel, forward", scene, picture.shot().name),
+                                "ratio",
+                                double(fragmentsOf(picture.stage, picture.view)) / pixels,
+                                {},
+                                ""});
+    }
+}
+
+Reproduction Cost::run()
+{
+    out_.numbers = {
+        {"equation 5: f over the lixels of the map", "ratio, in accesses", kQ / kR, kPaperFactor, "section 6"},
+        {"equation 6: side of a square screen over a map of 512", "pixels, in accesses", kMap * std::sqrt(kQ / kR),
+         kPaperSide, "section 6; 1.28 is the ratio of areas, the paper has taken it for that of sides"}};
+    {
+        const OnePicture picture(kScene, kView, options_.isQuick ? "256x256" : "1024x1024", *executor_);
+        addTerms(picture);
+    }
+    addBreakEven();
+    addFragments();
+    out_.run.timing.host = executor_->host();
+    out_.parameters = {{"scene", kScene},
+                       {"view", kView},
+                       {"lixels", toString(LixelSize{kMap, kMap})},
+                       {"pixels that see a surface", fmt::format("{:.1f} %", 100 * samplesShare_)},
+                       {"executor", options_.executor}};
+    return std::move(out_);
+}
+
+} // namespace
+
+Reproduction reproduceMultipleDepthCost(const ExperimentOptions& options) { return Cost(options).run(); }
+
+} // namespace lixel::app
