@@ -14,6 +14,7 @@
 #include "lixel/gl/passes/sdsm_pass.h"
 #include "lixel/gl/passes/shade_pass.h"
 #include "lixel/gl/passes/view_pass.h"
+#include "lixel/gl/passes/warp_fill_pass.h"
 
 #include <epoxy/gl.h>
 
@@ -79,6 +80,7 @@ struct GlExecutor::State
     gl::ShadePass shadePass;
     gl::SamplePass samplePass{device};
     gl::SdsmPass sdsmPass;
+    gl::WarpFillPass warpFillPass;
     gl::ObservationReadback ownFrame{0}, earlierFrame{kObservationAge};
     std::optional<View> drawn; // what `targets` and `pixels` hold, of the casters' version ...
     std::uint64_t drawnVersion = 0;
@@ -112,24 +114,48 @@ struct GlExecutor::State
         if (!isThere) drawView(casters, view);
     }
 
-    // Fills are made from `pixels`. Their maps are drawn each time, with all casters: only the device knows what they hold.
-    void drawMaps(const FramePlan& plan, const CasterSource& casters, std::span<const SdsmFill> fills = {})
+    // Tables that are made on the device, from `pixels`.
+    void fillTables(const Frame& frame)
     {
-        tables.upload(plan);
-        for (const SdsmFill& fill : fills) {
+        for (const SdsmFill& fill : frame.fills) {
             gl::PassTimer::Scope scope(timer, gl::SdsmPass::kName);
             sdsmPass.run(fill, pixels, tables);
         }
-        if (!fills.empty() || !inAtlas.areThoseOf(plan, casters)) drawAnew(plan, casters, fills);
+        for (const WarpFill& fill : frame.warps) {
+            gl::PassTimer::Scope scope(timer, gl::WarpFillPass::kName);
+            LX_ASSERT(fill.light < frame.lights.size());
+            warpFillPass.run(frame.plan, fill, frame.view, frame.lights[fill.light], pixels, tables);
+        }
+    }
+
+    void drawMaps(const Frame& frame)
+    {
+        tables.upload(frame.plan);
+        fillTables(frame);
+        drawUploaded(frame.plan, frame.casters, !frame.fills.empty(), !frame.warps.empty());
+    }
+
+    void drawMaps(const FramePlan& plan, const CasterSource& casters)
+    {
+        tables.upload(plan);
+        drawUploaded(plan, casters, false, false);
+    }
+
+    // Maps whose tables the device has made are drawn each time, and with all casters where it has made matrices: it alone knows what
+    // they hold.
+    void drawUploaded(const FramePlan& plan, const CasterSource& casters, bool hasOwnMatrices, bool hasOwnWarps)
+    {
+        const bool isKnown = !hasOwnMatrices && !hasOwnWarps;
+        if (!isKnown || !inAtlas.areThoseOf(plan, casters)) drawAnew(plan, casters, hasOwnMatrices, isKnown);
         if (!plan.lookup.isPrepared() || prepared.areFor(plan)) return;
         gl::PassTimer::Scope scope(timer, gl::PreparePass::kName);
         preparePass.run(plan, tables, atlas, prepared);
         ++plansPrepared;
     }
 
-    void drawAnew(const FramePlan& plan, const CasterSource& casters, std::span<const SdsmFill> fills)
+    void drawAnew(const FramePlan& plan, const CasterSource& casters, bool hasOwnMatrices, bool isKnown)
     {
-        const auto culling = fills.empty() ? gl::LightDepthPass::Culling::ByRegion : gl::LightDepthPass::Culling::Off;
+        const auto culling = hasOwnMatrices ? gl::LightDepthPass::Culling::Off : gl::LightDepthPass::Culling::ByRegion;
         inAtlas.forget();
         prepared.forget();
         atlas.resize(device, plan);
@@ -141,7 +167,7 @@ struct GlExecutor::State
         gl::PassTimer::Scope scope(timer, gl::LightDepthPass::kName);
         if (buffers) lightDepthPass.run(plan, tables, surfaces, atlas, culling);
         else lightDepthPass.run(plan, tables, std::get<CasterCallback>(casters), atlas, culling);
-        if (fills.empty()) inAtlas.set(plan, casters);
+        if (isKnown) inAtlas.set(plan, casters);
         mapsDrawn += plan.regionTable.size();
     }
 
@@ -184,7 +210,7 @@ struct GlExecutor::State
     void drawFrame(const Frame& frame, bool isShaded)
     {
         drawView(frame.seen, frame.view);
-        drawMaps(frame.plan, frame.casters, frame.fills);
+        drawMaps(frame);
         lookUp(frame.plan, pixels, visibilityOfPixels);
         if (frame.observed) sample(frame.lights, *frame.observed);
         if (!isShaded) return;
@@ -209,6 +235,8 @@ bool GlExecutor::isSoftware() const { return state_->device.isSoftware(); }
 std::uint64_t GlExecutor::mapsDrawn() const { return state_->mapsDrawn; }
 std::uint64_t GlExecutor::plansPrepared() const { return state_->plansPrepared; }
 void GlExecutor::forgetMaps() { state_->inAtlas.forget(); }
+
+std::size_t GlExecutor::warpBytes() const { return state_->lightDepthPass.warpBytes() + state_->warpFillPass.bytes(); }
 
 void GlExecutor::finish()
 {
@@ -307,7 +335,7 @@ Observation GlExecutor::observe(const Frame& frame)
     const ObservationGrid grid = frame.observed.value_or(ObservationGrid{});
     state_->device.makeCurrent();
     state_->needView(frame.seen, frame.view);
-    state_->drawMaps(frame.plan, frame.casters, frame.fills);
+    state_->drawMaps(frame);
     state_->lookUp(frame.plan, state_->pixels, state_->visibilityOfPixels);
     state_->sample(frame.lights, grid);
     return state_->observedNow(grid);

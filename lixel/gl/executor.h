@@ -11,7 +11,9 @@
 #include "lixel/gl/graphics_error.h"
 #include "lixel/plan/partition/sdsm_fill.h"
 #include "lixel/plan/shadow_plan.h"
+#include "lixel/plan/warp/warp_fill.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -21,7 +23,7 @@
 
 namespace lixel {
 
-// What a frame costs, medians. A frame is: view, gather, sdsm if tables are to be made, light depth, lookup, and as asked for
+// What a frame costs, medians. A frame is: view, gather, sdsm and importance if tables are to be made, light depth, lookup, and as asked for
 // sample and shade; in a loop also readback, else nothing is read back in it.
 struct FrameTimes
 {
@@ -66,6 +68,9 @@ public:
     std::uint64_t plansPrepared() const;
     void forgetMaps();
 
+    // Bytes on the device that warps take besides their knots: what exact drawing and what making them there keeps.
+    std::size_t warpBytes() const;
+
     void finish(); // waits until the device has done all that it was asked for
 
     // What the view sees: one sample a pixel centre, row by row from the bottom; pixels that see nothing have none.
@@ -102,6 +107,7 @@ public:
         std::optional<ObservationGrid> observed =
             std::nullopt;                     // nothing: measure() and advance() leave the sample pass out
         std::span<const SdsmFill> fills = {}; // of a layout: tables that are made on the device from what is seen
+        std::span<const WarpFill> warps = {}; // likewise; they need the lights
     };
     Image<Rgba8> render(const Frame& frame);
 

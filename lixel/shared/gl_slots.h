@@ -38,6 +38,10 @@ const int kStorageWarpQueues = 20;
 const int kStorageWarpQueued = 21;
 const int kStorageWarpDepths = 22;
 const int kStorageWarpRuns = 23;
+const int kStorageImportance = 24;
+const int kStorageWeights = 25;
+const int kStorageLineSums = 26;
+const int kStorageNearest = 27;
 
 // Uniform buffers.
 const int kUniformView = 0;
@@ -45,6 +49,7 @@ const int kUniformBatch = 1;
 const int kUniformSdsm = 2;
 const int kUniformRegion = 3;
 const int kUniformWarpRaster = 4;
+const int kUniformWarpFill = 5;
 
 // Texture units.
 const int kUnitSurface = 0;

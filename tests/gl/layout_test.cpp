@@ -7,6 +7,7 @@
 #include "lixel/shared/shading.h"
 #include "lixel/shared/shadow_tables.h"
 #include "lixel/shared/view_tables.h"
+#include "lixel/shared/warp_fill.h"
 #include "lixel/shared/warp_raster.h"
 
 #include <epoxy/gl.h>
@@ -153,6 +154,18 @@ TEST_F(LayoutTest, WarpRasterTablesLieAsInCpp)
     LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::WarpRasterSetup, size);
     expectOffset(setup, GL_UNIFORM, "levels[0]", offsetof(shared::WarpRasterSetup, levels),
                  sizeof(shared::WarpRasterSetup));
+}
+
+TEST_F(LayoutTest, WarpFillTablesLieAsInCpp)
+{
+    const ProgramName setup =
+        programWith("lixel/shared/warp_fill.h", "WarpFillSetup", kUniform,
+                    "row.light.colour.x + row.eye.x + row.picture.x + row.regions.x + row.importance.x");
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::WarpFillSetup, light.colour);
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::WarpFillSetup, eye);
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::WarpFillSetup, picture);
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::WarpFillSetup, regions);
+    LX_EXPECT_MEMBER(setup, GL_UNIFORM, shared::WarpFillSetup, importance);
 }
 
 TEST_F(LayoutTest, ShadingLightsLieAsInCpp)

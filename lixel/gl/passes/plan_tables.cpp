@@ -20,6 +20,7 @@ void PlanTables::upload(const FramePlan& plan)
     lights_.assign(std::span<const shared::ShadowLight>(plan.lightTable));
     warps_.assign(std::span<const float>(plan.warpTable));
     regionCount_ = plan.regionTable.size(), halfSpaceCount_ = plan.halfSpaceTable.size();
+    knotCount_ = plan.warpTable.size();
 }
 
 PlanTables::Content PlanTables::download() const
@@ -29,6 +30,8 @@ PlanTables::Content PlanTables::download() const
     content.halfSpaces.resize(halfSpaceCount_);
     regions_.read(0, std::span<shared::ShadowRegion>(content.regions));
     halfSpaces_.read(0, std::span<shared::vec4>(content.halfSpaces));
+    content.warpKnots.resize(knotCount_);
+    warps_.read(0, std::span<float>(content.warpKnots));
     return content;
 }
 

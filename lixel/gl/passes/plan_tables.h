@@ -26,11 +26,12 @@ public:
     {
         std::vector<shared::ShadowRegion> regions;
         std::vector<shared::vec4> halfSpaces;
+        std::vector<float> warpKnots;
     };
     Content download() const;
 
 private:
-    std::size_t regionCount_ = 0, halfSpaceCount_ = 0;
+    std::size_t regionCount_ = 0, halfSpaceCount_ = 0, knotCount_ = 0;
     Buffer regions_, halfSpaces_, lights_, warps_;
 };
 

@@ -10,9 +10,6 @@
 namespace lixel {
 namespace {
 
-// Of the average line, in every line: too little to be seen where there are samples, and the whole of it where there are none.
-constexpr double kOfAverage = 1e-3;
-
 // The sum over lines within `reach` of each, cell by cell.
 template <typename Value>
 void sumAmongLines(std::span<const Value> importance, int lines, int cells, int reach, std::vector<double>& sums)

@@ -26,6 +26,8 @@ struct LineOptions
 
 // So that floats tell neighbouring knots apart on grids of up to 1024 cells.
 inline constexpr double kLeastFloor = 1.0 / 1024;
+// Of the average line, in every line: too little to be seen where there are samples, and the whole of it where there are none.
+inline constexpr double kOfAverage = 1e-3;
 
 // Room to work in.
 struct LineScratch

@@ -38,7 +38,7 @@ enum class Analysis {
 // Common to both warps. Defaults are what had the fewest errors over scenes and views (docs/results.md), rtw's its own.
 struct WarpOptions
 {
-    Importance importance;
+    Importance importance = {};
     Analysis analysis = Analysis::Backward;
     double power = 2.0 / 3;   // density goes with importance to this power
     double smooth = 1.0 / 16; // lines (in rtw cells) within this share of all of them on either side count too
