@@ -41,7 +41,7 @@ public:
     {
         return runTraced(*stage.traced, plan, samples);
     }
-    RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames) override
+    RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames, const TimedExtras&) override
     {
         const ViewSamples samples = viewSamples(stage, view);
         std::vector<double> maps, preparing, lookups, all;
@@ -88,11 +88,13 @@ public:
     {
         return executor_.run(plan, stage.buffers.casters(), samples);
     }
-    RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames) override
+    RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames,
+                   const TimedExtras& extras) override
     {
         const CasterBuffers seen = stage.buffers.casters();
         const CasterSource casters = seen;
-        const FrameTimes times = executor_.measure({seen, casters, view, plan, {}}, frames);
+        const FrameTimes times =
+            executor_.measure({seen, casters, view, plan, extras.lights, std::nullopt, {}, extras.warps}, frames);
         RowTiming timing;
         timing.frameMs = times.frameMs;
         timing.gpuMs = times.gpuMs;

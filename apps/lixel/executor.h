@@ -6,6 +6,7 @@
 #include "lixel/base/view_samples.h"
 #include "lixel/base/visibility.h"
 #include "lixel/plan/shadow_plan.h"
+#include "lixel/plan/warp/warp_fill.h"
 #include "lixel/report/results.h"
 #include "lixel/scene/evaluate.h"
 
@@ -29,6 +30,13 @@ struct Stage
 };
 Stage makeStage(const std::shared_ptr<const Scene>& scene, const EvaluateOptions& options, Vec3d originWorld);
 
+// Warps that the device makes itself while it is timed; frames with lights are shaded too.
+struct TimedExtras
+{
+    std::span<const WarpFill> warps = {};
+    std::span<const Light> lights = {};
+};
+
 class Executor
 {
 public:
@@ -42,7 +50,8 @@ public:
 
     // Times of the frame that run() makes, without bringing results back: the median of `frames` undisturbed ones after two
     // more, and each pass by itself.
-    virtual RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames) = 0;
+    virtual RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames,
+                           const TimedExtras& extras = {}) = 0;
 
     // The picture with this visibility, one a light; an empty one counts as lit.
     virtual Image<Rgba8> shade(const Stage& stage, const View& view, std::span<const Light> lights,

@@ -7,7 +7,7 @@ namespace lixel::app {
 
 std::span<const Experiment> experiments()
 {
-    static const std::array<Experiment, 8> kAll{{
+    static const std::array<Experiment, 11> kAll{{
         {"normal-against-focused",
          "H. Chong, S. Gortler. Scene Optimized Shadow Mapping. 2007, Table 1 (columns Focused and Normal)",
          "How many more samples does a map of the whole scene get wrong than one focused on the view?", "gl", true,
@@ -41,6 +41,15 @@ std::span<const Experiment> experiments()
          "C. Pagot, J. Comba, M. Oliveira. Multiple-Depth Shadow Maps. SIBGRAPI 2004, equations 1 to 6",
          "From how many fragments a lixel on are several depths cheaper than a larger kernel?", "gl", false,
          reproduceMultipleDepthCost},
+        {"now-table1",
+         "T. Milet, J. Navratil, P. Zemcik. An Improved Non-Orthogonal Texture Warping for Better Shadow Rendering. "
+         "2015, Table 1 and the teaser",
+         "What does a frame cost with each way to make a map, outdoors, and how much of it is wrong?", "gl", false,
+         reproduceNowTable1},
+        {"now-table2", "Milet et al. 2015, Table 2", "Where does the time of warped maps go?", "gl", false,
+         reproduceNowTable2},
+        {"now-table3", "Milet et al. 2015, Table 3 and Figure 7",
+         "What do warped maps cost and what do they get wrong in rooms and outdoors?", "gl", false, reproduceNowTable3},
     }};
     return kAll;
 }

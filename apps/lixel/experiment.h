@@ -20,6 +20,7 @@ struct ExperimentOptions
     std::optional<int> lights;
     std::optional<std::string> size, lixels;
     std::filesystem::path pictures; // folder for PNGs; empty: none
+    std::filesystem::path scenes;   // folder with files that some experiments want; empty: those go without
 };
 
 // One experiment of a paper. Its run gives parameters, numbers, figures and rows; name, paper and question are filled in from here.
@@ -42,5 +43,8 @@ Reproduction reproduceSceneOptimisedTable3(const ExperimentOptions& options);
 Reproduction reproduceMultipleDepthTable1(const ExperimentOptions& options);
 Reproduction reproduceMultipleDepthFigures(const ExperimentOptions& options);
 Reproduction reproduceMultipleDepthCost(const ExperimentOptions& options);
+Reproduction reproduceNowTable1(const ExperimentOptions& options);
+Reproduction reproduceNowTable2(const ExperimentOptions& options);
+Reproduction reproduceNowTable3(const ExperimentOptions& options);
 
 } // namespace lixel::app

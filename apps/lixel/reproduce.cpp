@@ -135,6 +135,9 @@ Command addReproduce(CLI::App& parent, const std::string& commandLine)
                     "of the picture, WIDTHxHEIGHT pixels, where an experiment has many lights");
     app->add_option("--lixels", o->experiment.lixels,
                     "budget of each light, WIDTHxHEIGHT, where an experiment has many");
+    app->add_option("--scenes", o->experiment.scenes,
+                    "folder with conference.glb and sponza_crytek.glb, for the experiments that have rooms")
+        ->envname("LIXEL_SCENES");
     app->add_option("-o,--output", o->output, "folder for results.json, report.html and the pictures of figures");
     app->add_option("--json", o->json, "numbers and rows as JSON to this file, or - for standard output");
     return {app, [o, commandLine] { return runReproduce(*o, commandLine); }};

@@ -125,6 +125,21 @@ std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubjec
     return planWithLights(input, subject, executor);
 }
 
+std::optional<WarpLayout> warpLayoutFor(const TechniqueChoice& choice, const PlanSubject& subject,
+                                        const LixelBudget& lixels)
+{
+    const auto* map = std::get_if<MapTechnique>(&choice.technique);
+    if (!map) return std::nullopt;
+    const SceneBuffers& buffers = subject.stage.buffers;
+    PlanInput input{subject.view, subject.lights, buffers.bounds.boxesWorld, buffers.triangles.originWorld,
+                    *map,         lixels.total};
+    input.seen = &subject.seen;
+    input.seenIsAll = true;
+    input.planes = subject.planes;
+    FitScratch scratch;
+    return layoutWarps(input, scratch);
+}
+
 PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, const FramePlan& plan,
                     std::span<const Visibility> visibility)
 {

@@ -50,6 +50,10 @@ struct PlanMemory
 std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubject& subject, const LixelBudget& lixels,
                                  Executor& executor, const PlanMemory& memory = {});
 
+// The same where a device makes the warps itself; nothing for techniques whose warps it cannot make, or that have none.
+std::optional<WarpLayout> warpLayoutFor(const TechniqueChoice& choice, const PlanSubject& subject,
+                                        const LixelBudget& lixels);
+
 // What the next frame may know of this one.
 PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, const FramePlan& plan,
                     std::span<const Visibility> visibility);

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/now_race.h"
+
+#include "experiments/enlarged_square.h"
+#include "lixel/report/png.h"
+#include "lixel/scene/framing.h"
+#include "run_results.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace lixel::app {
+namespace {
+
+constexpr int kTimingFrames = 5, kQuickTimingFrames = 1;
+
+std::string techniqueList()
+{
+    std::string list;
+    for (const NowMethod& method : kNowMethods) list += fmt::format("{}{}", list.empty() ? "" : ",", method.technique);
+    return list;
+}
+
+// What deciding takes on the processor, of a few plans, and the frame on the device, which makes warps itself where it can.
+struct MethodTimes
+{
+    double planMs = 0;
+    RowTiming frame;
+};
+
+MethodTimes timesOf(const TechniqueChoice& choice, const PlanSubject& subject, const LixelBudget& lixels,
+                    Executor& executor, int frames)
+{
+    std::vector<double> planMs;
+    std::optional<FramePlan> plan;
+    std::optional<WarpLayout> layout;
+    for (int i = 0; i < frames; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        layout = warpLayoutFor(choice, subject, lixels);
+        if (!layout) plan = planFor(choice, subject, lixels, executor);
+        planMs.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    }
+    std::sort(planMs.begin(), planMs.end());
+    TimedExtras extras{{}, subject.lights};
+    if (layout) extras.warps = layout->fills;
+    const FramePlan& timed = layout ? layout->plan : *plan;
+    return {planMs[planMs.size() / 2], executor.time(subject.stage, timed, subject.view, frames, extras)};
+}
+
+} // namespace
+
+NowRace::NowRace(const ExperimentOptions& options) : options_(options), scenes_(nowScenes(options, leftOut_))
+{
+    executors_.push_back(makeExecutor(options.executor));
+    comparison_.techniques = readTechniques(techniqueList());
+    comparison_.lixels.total = options.isQuick ? LixelSize{128, 128} : LixelSize{512, 512};
+    comparison_.timingFrames = 0; // apart, below
+    comparison_.pictures = options.pictures;
+}
+
+void NowRace::run(std::span<const char* const> paperNames)
+{
+    const auto isWanted = [&](const NowScene& scene) {
+        return paperNames.empty() ||
+               std::find(paperNames.begin(), paperNames.end(), std::string_view(scene.paperName)) != paperNames.end();
+    };
+    std::erase_if(scenes_, [&](const NowScene& scene) { return !isWanted(scene); });
+    const auto pictures = std::accumulate(scenes_.begin(), scenes_.end(), std::size_t{0},
+                                          [](std::size_t sum, const NowScene& s) { return sum + s.pictures.size(); });
+    Progress progress("reproduce", int(pictures));
+    for (const NowScene& scene : scenes_)
+        for (std::size_t i = 0; i < scene.pictures.size(); ++i) {
+            progress.step(fmt::format("{}, picture {}", scene.file, i + 1));
+            addPicture(scene, scene.pictures[i], i);
+        }
+}
+
+void NowRace::addPicture(const NowScene& scene, const PictureOptions& picture, std::size_t number)
+{
+    Shooting shooting = prepare(picture, false);
+    Shot& shot = shooting.shots.front();
+    if (picture.view.empty()) shot.name = fmt::format("picture-{}", number + 1);
+    shot.lights.resize(1);
+    const Stage stage = makeStage(shooting.scene, shooting.evaluateOptions, originOf(shooting, shot));
+    const View view = viewOf(shooting, shot);
+    const ViewSamples samples = executors_.front()->viewSamples(stage, view);
+    const Truth truth = findTruth(stage, samples, shot.lights, shooting.planes);
+    std::vector<ResultRow> rows = compareTechniques({shooting, shot, stage, view, samples, truth, comparison_},
+                                                    executors_, [](std::string_view) {});
+    const bool areAllServed =
+        std::all_of(rows.begin(), rows.end(), [](const ResultRow& row) { return row.measured(); });
+    refusedPictures_ += !areAllServed;
+    const PlanSubject subject{stage, view, shot.lights, shooting.planes, samples};
+    for (std::size_t method = 0; areAllServed && method < kNowMethods.size(); ++method) {
+        const Measurement& m = *rows[method].measured();
+        NowOutcome& sum = outcomes_[scene.paperName][method];
+        sum.misclassified += double(m.misclassified), sum.lightFacing += double(m.lightFacing);
+        const MethodTimes times = timesOf(comparison_.techniques[method], subject, comparison_.lixels,
+                                          *executors_.front(), options_.isQuick ? kQuickTimingFrames : kTimingFrames);
+        sum.planMs += times.planMs;
+        sum.frameMs += times.frame.frameMs.value_or(0);
+        for (const PassTime& pass : times.frame.passes) sum.passMs[pass.name] += pass.ms;
+    }
+    if (areAllServed && !options_.pictures.empty()) {
+        PictureRow figure{fmt::format("{}: {}", scene.paperName, shot.name),
+                          rows.front().scene,
+                          rows.front().view,
+                          rows.front().light,
+                          {}};
+        for (const NowMethod& method : kNowMethods) figure.techniques.push_back(method.technique);
+        figure.layer = PictureLayer::Error;
+        const std::vector<int> everywhere(samples.size(), 0); // planes do not matter here
+        enlargeWhereMostIsWrong(readPng(options_.pictures / rows[NowRtw].measured()->pictures.error), samples,
+                                everywhere, figure);
+        out_.figures.push_back(std::move(figure));
+    }
+    for (ResultRow& row : rows) {
+        row.seed = options_.seed;
+        out_.run.rows.push_back(std::move(row));
+    }
+}
+
+Reproduction NowRace::finished()
+{
+    out_.run.timing.host = executors_.front()->host();
+    out_.parameters = {{"size", options_.isQuick ? "256x256" : "1024x1024"},
+                       {"lixels", toString(comparison_.lixels)},
+                       {"executor", options_.executor},
+                       {"pictures that some method refuses, not counted", fmt::format("{}", refusedPictures_)},
+                       {"seed", fmt::format("{}", options_.seed)}};
+    for (const NowMethod& method : kNowMethods) out_.parameters.push_back({method.title, method.technique});
+    if (!leftOut_.empty())
+        out_.parameters.push_back({"scenes left out, since they are not in the folder that --scenes names", leftOut_});
+    return std::move(out_);
+}
+
+} // namespace lixel::app
