@@ -150,6 +150,29 @@ TEST(Warps, SmoothingOverAllLinesMakesOneFunctionOfAll)
     });
 }
 
+TEST(Warps, MapsOfSamplesComeBackToAMillionthThroughTheInverse)
+{
+    forEachCase(test::kCases / 20, [](Rng& rng) {
+        const std::vector<PlacedSample> samples = anySamples(rng);
+        const int columns = rng.integer(8, 256), rows = rng.integer(8, 256);
+        NowWarp now;
+        now.options.smooth = rng.uniform(0, 0.2);
+        RtwWarp rtw;
+        for (const TextureWarp& warp : {madeNow(samples, now, columns, rows), madeRtw(samples, rtw, columns, rows)}) {
+            const shared::ShadowWarp row = tableRow(warp);
+            for (int i = 0; i < 50; ++i) {
+                const shared::vec2 at{float(rng.uniform(0, 1)), float(rng.uniform(0, 1))};
+                const shared::LxWarped there =
+                    shared::lxWarped(row, shared::lxUnwarped(row, at, knotsOf(warp)), knotsOf(warp));
+                // What the two roundings of the place that was found, and of its cell, come to where functions are steep.
+                const double slopes = std::abs(there.alongX.x) + std::abs(there.alongX.y) + std::abs(there.alongY.x) +
+                                      std::abs(there.alongY.y);
+                EXPECT_LT(std::hypot(there.at.x - at.x, there.at.y - at.y), 1e-6 + 1.2e-7 * slopes);
+            }
+        }
+    });
+}
+
 // The share of lixels that serve a sample, and how unlike the counts of those are.
 struct Evenness
 {
