@@ -22,7 +22,10 @@ const float LX_AWAY_FROM_BOUNDARIES = 0.05f;
 const float LX_EDGE_COSINE = 0.9f;
 
 // A piece of surface is seen in fewer pixels, along each axis, the farther away it is.
-LX_FN float lxDistanceWeight(float nearest2, float distance2) { return sqrt(nearest2 / distance2); }
+LX_FN float lxDistanceWeight(float nearest2, float distance2)
+{
+    return distance2 > nearest2 ? sqrt(nearest2 / distance2) : 1.0f;
+}
 
 // It is seen in more pixels the more it faces the eye, and lies in fewer lixels the less it faces the light.
 LX_FN float lxNormalWeight(float cosineToEye, float cosineToLight)
@@ -32,7 +35,11 @@ LX_FN float lxNormalWeight(float cosineToEye, float cosineToLight)
 }
 
 // What a weight is in the map; every sample counts for something.
-LX_FN float lxImportanceUnits(float weight) { return max(floor(weight * LX_IMPORTANCE_UNIT + 0.5f), 1.0f); }
+LX_FN float lxImportanceUnits(float weight)
+{
+    float units = floor(weight * LX_IMPORTANCE_UNIT + 0.5f);
+    return units > 1.0f ? units : 1.0f; // also where a sample at the eye has no direction to it
+}
 
 LX_SHARED_END
 

@@ -117,6 +117,10 @@ TEST(Importance, BoundariesAreSoughtWhereTheObservedPictureHadThem)
     const auto away = std::uint32_t(shared::lxImportanceUnits(shared::LX_AWAY_FROM_BOUNDARIES));
     EXPECT_EQ(weighed[8 * 16 + 2].units, kUnit);
     EXPECT_EQ(weighed[1 * 16 + 13].units, away);
+    // Unknown boundaries leave the greatest of the others.
+    const auto edges = floor.weighed({true, kEdgesWeight, 0}),
+               either = floor.weighed({true, 0, kEdgesWeight | kBoundariesWeight});
+    for (std::size_t i = 0; i < edges.size(); ++i) EXPECT_EQ(either[i].units, edges[i].units);
     // Of another light, and without an observation, nothing is known and all count alike.
     for (const WeighedSample& sample : floor.weighed({true, kBoundariesWeight, 0})) EXPECT_EQ(sample.units, kUnit);
 }

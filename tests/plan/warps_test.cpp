@@ -150,6 +150,31 @@ TEST(Warps, SmoothingOverAllLinesMakesOneFunctionOfAll)
     });
 }
 
+TEST(Warps, MapsOfSamplesComeBackToAMillionthThroughTheInverse)
+{
+    forEachCase(test::kCases / 20, [](Rng& rng) {
+        const std::vector<PlacedSample> samples = anySamples(rng);
+        const int columns = rng.integer(8, 256), rows = rng.integer(8, 256);
+        NowWarp now;
+        now.options.smooth = rng.uniform(0, 0.2);
+        RtwWarp rtw;
+        for (const TextureWarp& warp : {madeNow(samples, now, columns, rows), madeRtw(samples, rtw, columns, rows)}) {
+            const shared::ShadowWarp row = tableRow(warp);
+            for (int i = 0; i < 50; ++i) {
+                const shared::vec2 at{float(rng.uniform(0, 1)), float(rng.uniform(0, 1))};
+                const shared::LxWarped there =
+                    shared::lxWarped(row, shared::lxUnwarped(row, at, knotsOf(warp)), knotsOf(warp));
+                // Rounding of the inverse moves the place that was found, and functions that differ from line to line bring
+                // that back enlarged.
+                const shared::vec2 x = there.alongX, y = there.alongY;
+                const double longest = std::abs(x.x) + std::abs(x.y) + std::abs(y.x) + std::abs(y.y);
+                const double rounding = 6e-8 * (longest + longest * longest / (x.x * y.y - x.y * y.x));
+                EXPECT_LT(std::hypot(there.at.x - at.x, there.at.y - at.y), 1e-6 + rounding);
+            }
+        }
+    });
+}
+
 // The share of lixels that serve a sample, and how unlike the counts of those are.
 struct Evenness
 {

@@ -120,26 +120,35 @@ public:
     float weightOf(std::size_t i) const
     {
         float weight = samples_.weightOf(i), greatest = 0;
+        bool hasGreatest = false;
         for (const SampleWeight one :
              {kDistanceWeight, kNormalWeight, kEdgesWeight, kBoundariesWeight, kShadowEdgesWeight}) {
-            if (!importance_.has(one)) continue;
+            if (!importance_.has(one) || !isKnown(one)) continue;
+            hasGreatest |= (importance_.greatestOf & one) != 0;
             const float value = weightOf(one, i);
             if (importance_.factors & one) weight *= value;
             if (importance_.greatestOf & one) greatest = std::max(greatest, value);
         }
-        return importance_.greatestOf != 0 ? weight * greatest : weight;
+        return hasGreatest ? weight * greatest : weight;
     }
 
 private:
+    // Edges are the view's or the light's; boundaries were observed, or not.
+    bool isKnown(SampleWeight weight) const
+    {
+        if (weight == kEdgesWeight) return !isOfLight_;
+        if (weight == kShadowEdgesWeight) return isOfLight_;
+        return weight != kBoundariesWeight || knowsBoundaries_;
+    }
+
     float weightOf(SampleWeight weight, std::size_t i) const
     {
         switch (weight) {
         case kDistanceWeight: return shared::lxDistanceWeight(nearest2_, distance2(i));
         case kNormalWeight: return normalWeight(i);
-        case kEdgesWeight: return isOfLight_ ? 1 : awayUnless(isAtEdge(i), shared::LX_AWAY_FROM_EDGES);
-        case kShadowEdgesWeight: return isOfLight_ ? awayUnless(isAtEdge(i), shared::LX_AWAY_FROM_EDGES) : 1;
-        case kBoundariesWeight:
-            return knowsBoundaries_ ? awayUnless(isNearBoundary(i), shared::LX_AWAY_FROM_BOUNDARIES) : 1;
+        case kEdgesWeight:
+        case kShadowEdgesWeight: return awayUnless(isAtEdge(i), shared::LX_AWAY_FROM_EDGES);
+        case kBoundariesWeight: return awayUnless(isNearBoundary(i), shared::LX_AWAY_FROM_BOUNDARIES);
         }
         return 1;
     }

@@ -48,7 +48,7 @@ struct ImportanceScratch
     std::vector<std::uint8_t> nearBoundary; // of the observation's cells
 };
 
-// Appends those that count to `out`, which is cleared first.
+// Those that count; `out` is cleared first. A weight that nothing is known for is left out of products and maxima.
 void weighSamples(const ImportanceSource& source, const WarpOptions& options, ImportanceScratch& scratch,
                   std::vector<WeighedSample>& out);
 

@@ -42,9 +42,9 @@ void assignSamples(std::span<const PlannedRegion> regions, RegionWarpScratch& sc
 }
 
 // In the square of their region; those in guard bands are not moved, and do not count.
-void placeSamples(const PlannedRegion& region, std::uint8_t number, RegionWarpScratch& scratch)
+void placeSamples(const PlannedRegion& region, const LixelRectangle& square, std::uint8_t number,
+                  RegionWarpScratch& scratch)
 {
-    const LixelRectangle& square = region.warp.square;
     scratch.placed.clear();
     for (std::size_t i = 0; i < scratch.samples.size(); ++i) {
         if (scratch.regionOf[i] != number) continue;
@@ -89,14 +89,16 @@ void warpRegions(const ImportanceSource& source, const WarpChoice& choice, const
         PlannedRegion& region = regions[i];
         const LixelRectangle& r = region.rectangle;
         if (std::min(r.width(), r.height()) <= 2 * band) continue;
+        const LixelRectangle square{r.x0 + band, r.y0 + band, r.x1 - band, r.y1 - band, r.layer};
+        placeSamples(region, square, std::uint8_t(i), scratch);
+        if (scratch.placed.empty()) continue;
         TextureWarp& warp = region.warp;
-        warp.square = {r.x0 + band, r.y0 + band, r.x1 - band, r.y1 - band, r.layer};
+        warp.square = square;
         warp.columns = std::min(warp.square.width(), options->grid);
         warp.rows = std::min(warp.square.height(), options->grid);
         warp.raster = options->raster;
         warp.rowKnots = takeSpare(scratch);
         warp.columnKnots = takeSpare(scratch);
-        placeSamples(region, std::uint8_t(i), scratch);
         if (const auto* rtw = std::get_if<RtwWarp>(&choice)) makeRtw(scratch.placed, *rtw, scratch.warp, warp);
         if (const auto* now = std::get_if<NowWarp>(&choice)) makeNow(scratch.placed, *now, scratch.warp, warp);
     }

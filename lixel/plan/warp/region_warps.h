@@ -15,7 +15,8 @@ struct FramePlan;
 // Takes back the knots of a plan that is about to be made anew.
 void recycleKnots(FramePlan& plan, RegionWarpScratch& scratch);
 
-// Every sample counts for the first region that serves it. A region too small to leave a lixel within its guard bands stays as it is.
+// Every sample counts for the first region that serves it. A region that serves none, or is too small to leave a lixel within its guard
+// bands, has no warp.
 void warpRegions(const ImportanceSource& source, const WarpChoice& choice, const LookupLayout& lookup,
                  RegionWarpScratch& scratch, std::span<PlannedRegion> regions);
 
