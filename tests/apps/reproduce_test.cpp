@@ -274,5 +274,26 @@ TEST(ReproduceMultipleDepth, TheScreenOfEquation6Has580PixelsASide)
     }
 }
 
+// The outdoor scene is built in; without a folder of rooms the others are left out aloud.
+TEST(ReproduceNowTables, HaveMisclassifiedPercentOfEveryMethodAndSayWhatIsLeftOut)
+{
+    TemporaryFolder folder;
+    CommandOptions options;
+    options.folder = folder.path();
+    const CommandResult run = runLixel(
+        {"reproduce", "now-table1", "--quick", "--executor", "trace", "--scenes", "nowhere", "--json", "-"}, options);
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(schemaError(run.out), "");
+    const Json reproduction = Json::parse(run.out).at("reproduction");
+    std::map<std::string, double> percent;
+    for (const Json& number : reproduction.at("numbers")) percent[number.at("key")] = number.at("ours");
+    EXPECT_EQ(percent.size(), 6u);
+    EXPECT_LT(percent.at("city (Observatory): NOW of lixel, misclassified"),
+              percent.at("city (Observatory): RTW, misclassified"));
+    EXPECT_LT(percent.at("city (Observatory): RTW, misclassified"),
+              percent.at("city (Observatory): SM, misclassified"));
+    EXPECT_NE(run.err.find("conference.glb, sponza_crytek.glb"), std::string::npos) << run.err;
+}
+
 } // namespace
 } // namespace lixel::test

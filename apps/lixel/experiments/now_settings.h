@@ -5,6 +5,7 @@
 #include "picture_options.h"
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,8 @@ struct NowScene
     const char* paperName;
     std::string file; // built-in name, or path
     std::vector<PictureOptions> pictures;
+
+    std::string title() const { return std::filesystem::path(file).stem().string(); }
 };
 
 // Those there are: files are looked for in the experiment's folder of scenes. `leftOut` says which are not there.

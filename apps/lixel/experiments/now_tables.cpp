@@ -18,7 +18,7 @@ void addErrors(const NowScene& scene, const NowOutcomes& outcomes, Reproduction&
 {
     for (std::size_t i = 0; i < kNowMethods.size(); ++i)
         out.numbers.push_back(
-            {fmt::format("{} ({}): {}, misclassified", scene.file, scene.paperName, kNowMethods[i].title), "percent",
+            {fmt::format("{} ({}): {}, misclassified", scene.title(), scene.paperName, kNowMethods[i].title), "percent",
              outcomes[i].percent(), std::nullopt, "shown as red pixels"});
 }
 
@@ -82,7 +82,7 @@ void addSteps(const NowScene& scene, const NowOutcomes& all, Reproduction& out)
 {
     const PaperSteps& paper = rowFor(kPaperSteps, scene.paperName);
     const auto add = [&](std::string_view method, std::string_view step, double share, std::optional<double> papers) {
-        out.timingNumbers.push_back({fmt::format("{}: {}, {}", scene.file, method, step), "percent", 100 * share,
+        out.timingNumbers.push_back({fmt::format("{}: {}, {}", scene.title(), method, step), "percent", 100 * share,
                                      papers, papers ? "Table 2" : ""});
     };
     const auto addMethod = [&](std::size_t method, bool isRtw, bool hasPaper) {
@@ -154,9 +154,10 @@ Reproduction reproduceNowTable3(const ExperimentOptions& options)
         const PaperTimes& paper = rowFor(kPaperTimes, scene.paperName);
         addErrors(scene, all, out);
         const auto ratio = [&](std::size_t a, std::size_t b, std::optional<double> papers) {
-            out.timingNumbers.push_back(
-                {fmt::format("{}: {} over {}, shadows alone", scene.file, kNowMethods[a].title, kNowMethods[b].title),
-                 "ratio", shadowMs(all[a]) / shadowMs(all[b]), papers, papers ? "Table 3" : ""});
+            out.timingNumbers.push_back({fmt::format("{}: {} over {}, shadows alone", scene.title(),
+                                                     kNowMethods[a].title, kNowMethods[b].title),
+                                         "ratio", shadowMs(all[a]) / shadowMs(all[b]), papers,
+                                         papers ? "Table 3" : ""});
         };
         ratio(NowRtw, NowSm, paper.rtw / paper.sm);
         ratio(NowOurs, NowSm, paper.ours / paper.sm);
