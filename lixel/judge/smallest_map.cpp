@@ -10,6 +10,9 @@
 namespace lixel {
 namespace {
 
+// A side predicted to be a rung but for this is that rung.
+constexpr double kRounding = 1e-9;
+
 constexpr double kStep = 1.02;
 constexpr std::size_t kHeld = 3; // sides, the found one among them, at which the tolerance holds
 
@@ -47,7 +50,7 @@ private:
 
     std::size_t rung(double side) const
     {
-        const auto at = std::ranges::lower_bound(sides_, side);
+        const auto at = std::ranges::lower_bound(sides_, side * (1 - kRounding));
         return at == sides_.end() ? sides_.size() - 1 : std::size_t(at - sides_.begin());
     }
 
