@@ -27,8 +27,10 @@ public:
     SmallestMap from(int firstSide)
     {
         SmallestMap out;
-        const std::size_t first = rung(firstSide), second = rung(proportional(first));
-        out.predicted = sides_[rung(first == second ? proportional(first) : onLine(first, second))];
+        const std::size_t first = rung(firstSide), next = rung(proportional(first));
+        // Two sides tell a line, and one that is already right is asked beside its neighbour, which must be asked anyway.
+        const std::size_t second = next != first ? next : first > 0 ? first - 1 : first + 1;
+        out.predicted = sides_[rung(onLine(first, second))];
         const auto found = smallestFrom(rung(out.predicted));
         if (found) out.side = sides_[*found];
         out.percent = at(found.value_or(sides_.size() - 1));
