@@ -181,10 +181,12 @@ void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const 
 {
     LX_ASSERT(casters.originWorld == plan.originWorld);
     const std::vector<const PlannedRegion*> regions = regionsOf(plan);
-    if (std::any_of(regions.begin(), regions.end(), [](const auto* region) { return wayInto(*region) == Way::Exact; }))
+    const auto asksForMore = [](const PlannedRegion* region) {
+        return wayInto(*region) == Way::Exact || wayInto(*region) == Way::Tessellated;
+    };
+    if (std::any_of(regions.begin(), regions.end(), asksForMore))
         throw GraphicsError(
-            "casters that the host draws cannot be drawn exactly into a warped map; use raster=vertices or "
-            "raster=tessellate");
+            "casters that the host draws get into warped maps by their vertices alone; use raster=vertices");
     drawn_ = culled_ = 0;
     std::vector<CasterView> views;
     forEachBatch(plan, tables, atlas, [&](const Batch& batch) {

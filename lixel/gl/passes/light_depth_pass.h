@@ -16,7 +16,7 @@ namespace lixel::gl {
 // Draws the casters through every region of a plan into its rectangle of the atlas, as many regions at once as the device
 // has viewports. Geometry between the light and a region's near side is drawn at the near side. Casters from buffers that no
 // lixel of a region can see are left out of it. Into warped maps casters are drawn as their warp says (WarpRaster); a host's get
-// there by their vertices, cut up if its program has lixel's stages for that, and exact maps of them throw GraphicsError.
+// there by their vertices alone, and throw GraphicsError where a warp asks for more.
 //   reads   PlanTables, Surfaces or a host's casters        writes   ShadowAtlas
 class LightDepthPass
 {
