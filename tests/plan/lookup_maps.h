@@ -17,7 +17,7 @@ struct FunctionMap
     shared::LxLookup how;
     shared::vec4 rectangle;
     const Depth& depth;
-    shared::LxNoKnots knots{};
+    static constexpr shared::LxNoKnots knots{};
 
     shared::LxWords words(int x, int y, int layer) const
     {

@@ -77,6 +77,33 @@ void recycleKnots(FramePlan& plan, RegionWarpScratch& scratch)
         }
 }
 
+namespace {
+
+// Nothing where a region has no room for one.
+std::optional<LixelRectangle> squareOf(const PlannedRegion& region, const LookupLayout& lookup)
+{
+    const LixelRectangle& r = region.rectangle;
+    const int band = int(std::ceil(lookup.reach));
+    if (std::min(r.width(), r.height()) <= 2 * band) return std::nullopt;
+    return LixelRectangle{r.x0 + band, r.y0 + band, r.x1 - band, r.y1 - band, r.layer};
+}
+
+// By the samples that are placed; even without any.
+void warpRegion(const WarpChoice& choice, const LixelRectangle& square, RegionWarpScratch& scratch, TextureWarp& warp)
+{
+    const WarpOptions& options = *warpOptionsOf(choice);
+    warp.square = square;
+    warp.columns = std::min(square.width(), options.grid);
+    warp.rows = std::min(square.height(), options.grid);
+    warp.raster = options.raster;
+    warp.rowKnots = takeSpare(scratch);
+    warp.columnKnots = takeSpare(scratch);
+    if (const auto* rtw = std::get_if<RtwWarp>(&choice)) makeRtw(scratch.placed, *rtw, scratch.warp, warp);
+    if (const auto* now = std::get_if<NowWarp>(&choice)) makeNow(scratch.placed, *now, scratch.warp, warp);
+}
+
+} // namespace
+
 void warpRegions(const ImportanceSource& source, const WarpChoice& choice, const LookupLayout& lookup,
                  RegionWarpScratch& scratch, std::span<PlannedRegion> regions)
 {
@@ -84,24 +111,21 @@ void warpRegions(const ImportanceSource& source, const WarpChoice& choice, const
     if (!options) return;
     weighSamples(source, *options, scratch.importance, scratch.samples);
     assignSamples(regions, scratch);
-    const int band = int(std::ceil(lookup.reach));
     for (std::size_t i = 0; i < regions.size(); ++i) {
-        PlannedRegion& region = regions[i];
-        const LixelRectangle& r = region.rectangle;
-        if (std::min(r.width(), r.height()) <= 2 * band) continue;
-        const LixelRectangle square{r.x0 + band, r.y0 + band, r.x1 - band, r.y1 - band, r.layer};
-        placeSamples(region, square, std::uint8_t(i), scratch);
-        if (scratch.placed.empty()) continue;
-        TextureWarp& warp = region.warp;
-        warp.square = square;
-        warp.columns = std::min(warp.square.width(), options->grid);
-        warp.rows = std::min(warp.square.height(), options->grid);
-        warp.raster = options->raster;
-        warp.rowKnots = takeSpare(scratch);
-        warp.columnKnots = takeSpare(scratch);
-        if (const auto* rtw = std::get_if<RtwWarp>(&choice)) makeRtw(scratch.placed, *rtw, scratch.warp, warp);
-        if (const auto* now = std::get_if<NowWarp>(&choice)) makeNow(scratch.placed, *now, scratch.warp, warp);
+        const auto square = squareOf(regions[i], lookup);
+        if (!square) continue;
+        placeSamples(regions[i], *square, std::uint8_t(i), scratch);
+        if (!scratch.placed.empty()) warpRegion(choice, *square, scratch, regions[i].warp);
     }
+}
+
+void warpRegionsEvenly(const WarpChoice& choice, const LookupLayout& lookup, RegionWarpScratch& scratch,
+                       std::span<PlannedRegion> regions)
+{
+    if (!warpOptionsOf(choice)) return;
+    scratch.placed.clear();
+    for (PlannedRegion& region : regions)
+        if (const auto square = squareOf(region, lookup)) warpRegion(choice, *square, scratch, region.warp);
 }
 
 } // namespace lixel

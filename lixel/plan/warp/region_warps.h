@@ -20,4 +20,8 @@ void recycleKnots(FramePlan& plan, RegionWarpScratch& scratch);
 void warpRegions(const ImportanceSource& source, const WarpChoice& choice, const LookupLayout& lookup,
                  RegionWarpScratch& scratch, std::span<PlannedRegion> regions);
 
+// Even ones, for a device to fill.
+void warpRegionsEvenly(const WarpChoice& choice, const LookupLayout& lookup, RegionWarpScratch& scratch,
+                       std::span<PlannedRegion> regions);
+
 } // namespace lixel

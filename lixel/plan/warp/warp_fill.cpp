@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/warp/warp_fill.h"
 
-#include <algorithm>
-#include <utility>
+#include "lixel/plan/warp/region_warps.h"
 
 namespace lixel {
 
@@ -12,9 +11,17 @@ std::optional<WarpLayout> layoutWarps(const PlanInput& input, FitScratch& scratc
     if (!options || options->analysis != Analysis::Backward || options->importance.has(kBoundariesWeight) ||
         options->importance.has(kShadowEdgesWeight))
         return std::nullopt;
-    WarpLayout layout{planShadows(input, scratch), {}};
-    for (std::size_t i = 0; i < layout.plan.lights.size(); ++i)
-        if (!layout.plan.lights[i].refused) layout.fills.push_back({i, input.technique.warp});
+    PlanInput without = input;
+    without.technique.warp = NoWarp{};
+    WarpLayout layout{planShadows(without, scratch), {}};
+    FramePlan& plan = layout.plan;
+    std::size_t row = 0; // of the table: regions light by light
+    for (std::size_t i = 0; i < plan.lights.size(); ++i) {
+        warpRegionsEvenly(input.technique.warp, plan.lookup, scratch.warps, plan.lights[i].regions);
+        for (const PlannedRegion& region : plan.lights[i].regions)
+            plan.regionTable[row++].warp = appendWarp(region.warp, plan.warpTable);
+        if (!plan.lights[i].refused) layout.fills.push_back({i, input.technique.warp});
+    }
     return layout;
 }
 
