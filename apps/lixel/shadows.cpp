@@ -25,6 +25,21 @@ std::vector<GivenLight> readGiven(const Technique& technique)
     return {};
 }
 
+// What a plan is made from, without memory.
+PlanInput inputFor(const MapTechnique& technique, const TechniqueChoice& choice, const PlanSubject& subject,
+                   const LixelBudget& lixels)
+{
+    const SceneBuffers& buffers = subject.stage.buffers;
+    PlanInput input{subject.view, subject.lights, buffers.bounds.boxesWorld, buffers.triangles.originWorld,
+                    technique,    lixels.total};
+    input.seen = &subject.seen;
+    input.seenIsAll = true;
+    input.planes = subject.planes;
+    input.lixelsOfRegions = lixels.ofRegions;
+    input.given = choice.given;
+    return input;
+}
+
 // What the lights see through a technique's maps, and the lixels that it takes.
 struct LightSight
 {
@@ -99,14 +114,7 @@ std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubjec
 {
     const auto* map = std::get_if<MapTechnique>(&choice.technique);
     if (!map) return std::nullopt;
-    const SceneBuffers& buffers = subject.stage.buffers;
-    PlanInput input{subject.view, subject.lights, buffers.bounds.boxesWorld, buffers.triangles.originWorld,
-                    *map,         lixels.total};
-    input.seen = &subject.seen;
-    input.seenIsAll = true;
-    input.planes = subject.planes;
-    input.lixelsOfRegions = lixels.ofRegions;
-    input.given = choice.given;
+    PlanInput input = inputFor(*map, choice, subject, lixels);
     const auto first = firstPassOf(*map, lixels.total);
     input.before = memory.before;
     if (memory.observed) input.observed = &*memory.observed;
@@ -130,14 +138,8 @@ std::optional<WarpLayout> warpLayoutFor(const TechniqueChoice& choice, const Pla
 {
     const auto* map = std::get_if<MapTechnique>(&choice.technique);
     if (!map) return std::nullopt;
-    const SceneBuffers& buffers = subject.stage.buffers;
-    PlanInput input{subject.view, subject.lights, buffers.bounds.boxesWorld, buffers.triangles.originWorld,
-                    *map,         lixels.total};
-    input.seen = &subject.seen;
-    input.seenIsAll = true;
-    input.planes = subject.planes;
     FitScratch scratch;
-    return layoutWarps(input, scratch);
+    return layoutWarps(inputFor(*map, choice, subject, lixels), scratch);
 }
 
 PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, const FramePlan& plan,

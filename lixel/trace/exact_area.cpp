@@ -2,8 +2,8 @@
 #include "lixel/trace/exact_area.h"
 
 #include "lixel/base/assert.h"
+#include "lixel/trace/lit_share.h"
 #include "lixel/trace/parallel.h"
-#include "lixel/trace/shadow_ray.h"
 #include "lixel/trace/view_rays.h"
 
 #include <cmath>
@@ -11,11 +11,6 @@
 
 namespace lixel {
 namespace {
-
-bool facesLight(const TraceScene& scene, const SurfacePoint& point, const Light& light)
-{
-    return isLightFacing(light, scene.originWorld(), toDouble(point.positionLocal), toDouble(point.normal));
-}
 
 // Centres of the squares of the pixel that holds the point.
 std::vector<Vec2d> centresWithin(Vec2f pixel, int perSide)
@@ -41,15 +36,11 @@ std::vector<float> exactArea(const TraceScene& scene, const View& view, const Vi
         for (std::size_t i = first; i < last; ++i) {
             const SurfacePoint sample = surfacePoint(samples, i);
             if (!facesLight(scene, sample, light)) continue;
-            int facing = 0, lit = 0;
+            LitShare lit(scene, light);
             for (const std::optional<SurfacePoint>& point :
-                 seenThrough(scene, rays, centresWithin(samples.pixel[i], perSide))) {
-                if (!point || !facesLight(scene, *point, light)) continue;
-                ++facing;
-                if (!isInShadow(scene, *point, light)) ++lit;
-            }
-            if (facing > 0) share[i] = float(lit) / float(facing);
-            else share[i] = isInShadow(scene, sample, light) ? 0.0f : 1.0f;
+                 seenThrough(scene, rays, centresWithin(samples.pixel[i], perSide)))
+                lit.add(point);
+            share[i] = lit.around(sample);
         }
     });
     return share;

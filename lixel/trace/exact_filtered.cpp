@@ -3,8 +3,8 @@
 
 #include "lixel/base/assert.h"
 #include "lixel/plan/light_image.h"
+#include "lixel/trace/lit_share.h"
 #include "lixel/trace/parallel.h"
-#include "lixel/trace/shadow_ray.h"
 
 #include <algorithm>
 #include <optional>
@@ -17,11 +17,6 @@ struct Served
     LightImage image;
     Vec3d lixelAndDepth;
 };
-
-bool facesLight(const TraceScene& scene, const SurfacePoint& point, const Light& light)
-{
-    return isLightFacing(light, scene.originWorld(), toDouble(point.positionLocal), toDouble(point.normal));
-}
 
 // By the first region that holds the point.
 std::optional<Served> servedAt(const ShadowPlan& plan, Vec3d pointLocal)
@@ -61,17 +56,13 @@ std::vector<float> exactFiltered(const TraceScene& scene, const ShadowPlan& plan
             const SurfacePoint sample = surfacePoint(samples, i);
             if (!facesLight(scene, sample, light)) continue;
             const auto served = servedAt(plan, toDouble(sample.positionLocal));
-            int facing = 0, lit = 0;
+            LitShare lit(scene, light);
             for (int k = 0; served && k < n * n; ++k) {
                 const Vec2d offset{(k % n + 0.5) / n - 0.5, (k / n + 0.5) / n - 0.5};
                 const Vec2d middle{served->lixelAndDepth.x, served->lixelAndDepth.y};
-                const auto point = onPlaneOf(sample, served->image, middle + side * offset);
-                if (!point || !facesLight(scene, *point, light)) continue;
-                ++facing;
-                if (!isInShadow(scene, *point, light)) ++lit;
+                lit.add(onPlaneOf(sample, served->image, middle + side * offset));
             }
-            if (facing > 0) share[i] = float(lit) / float(facing);
-            else share[i] = isInShadow(scene, sample, light) ? 0.0f : 1.0f;
+            share[i] = lit.around(sample);
         }
     });
     return share;
