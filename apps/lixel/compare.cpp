@@ -151,6 +151,11 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
     comparison.timingFrames = options.timingFrames;
     comparison.withShades = options.withShades;
     const bool isPath = isPathOfFrames(options);
+    for (const TechniqueChoice& choice : comparison.techniques)
+        if (isPath && std::holds_alternative<ShadowVolumesTechnique>(choice.technique))
+            throw UsageError(
+                "shadow-volumes: samples that are followed from frame to frame do not stand at pixel centres, "
+                "which is where volumes are counted; --path takes the other techniques");
     if (isPath && options.withShades) throw UsageError("--shades is of pictures, not of the frames of a path");
     if (options.output.empty() && options.json.empty())
         throw UsageError("compare: give -o FOLDER for the report, or --json FILE (or -)");

@@ -184,8 +184,10 @@ std::vector<ResultRow> rowsOf(const ShotContext& context, Executor& executor, co
         shaded = pictures.write(
             executor.shade(context.stage, context.view, context.shot.lights, context.samples, visibility), "shaded");
     RowTiming timing;
-    if (plan && servesAny && context.options.timingFrames > 0)
-        timing = executor.time(context.stage, *plan, context.view, context.options.timingFrames);
+    const int frames = context.options.timingFrames;
+    if (plan && servesAny && frames > 0) timing = executor.time(context.stage, *plan, context.view, frames);
+    if (std::holds_alternative<ShadowVolumesTechnique>(choice.technique) && frames > 0)
+        timing = executor.timeVolumes(context.stage, context.view, context.shot.lights, frames, false);
 
     std::vector<ResultRow> rows;
     for (std::size_t light = 0; light < context.shot.lights.size(); ++light) {
@@ -221,20 +223,31 @@ void addAgreement(const ShotContext& context, std::vector<ResultRow>& rows,
     for (std::size_t e = 0; e < 2; ++e)
         for (std::size_t light = 0; light < lights; ++light) {
             auto* m = std::get_if<Measurement>(&rows[e * lights + light].outcome);
-            if (!m) continue;
+            if (!m || visibility[1 - e][light].value.empty()) continue; // one of them refuses
             const ExecutorAgreement a = agreement(context.truth.zones[light], visibility[0][light],
                                                   visibility[1][light], context.truth.exact[light]);
             m->agreement = agreementWith(executors[1 - e]->name(), a);
         }
 }
 
-std::vector<Visibility> withoutMap(const ShotContext& context, const Technique& technique)
+Expected<std::vector<Visibility>, Refusal> withoutMap(const ShotContext& context, const Technique& technique,
+                                                      Executor& executor)
 {
     if (!std::holds_alternative<ExactTechnique>(technique))
-        return visibilityByRays(technique, context.stage, context.view, context.samples, context.shot.lights);
+        return visibilityWithoutMap(technique, executor, context.stage, context.view, context.samples,
+                                    context.shot.lights);
     std::vector<Visibility> out;
     for (const std::vector<float>& exact : context.truth.exact) out.push_back({exact, {}});
     return out;
+}
+
+std::vector<ResultRow> refusedRows(const ShotContext& context, const TechniqueChoice& choice, const Executor& executor,
+                                   const Refusal& refusal)
+{
+    std::vector<ResultRow> rows;
+    for (std::size_t light = 0; light < context.shot.lights.size(); ++light)
+        rows.emplace_back(keyOf(context, choice, light, executor.name())).outcome = refusal;
+    return rows;
 }
 
 // The rows of one technique: executors x lights.
@@ -248,9 +261,16 @@ std::vector<ResultRow> rowsOfAll(const ShotContext& context, std::span<const std
     std::vector<std::vector<Visibility>> visibility;
     for (const auto& executor : executors) {
         onStep(fmt::format("{}: {} ({})", context.shot.name, choice.typed, executor->name()));
-        if (plan) visibility.push_back(executor->run(context.stage, *plan, context.samples));
-        else visibility.push_back(visibility.empty() ? withoutMap(context, choice.technique) : visibility.front());
-        std::vector<ResultRow> some = rowsOf(context, *executor, choice, visibility.back(), plan ? &*plan : nullptr);
+        // Rays say the same for all executors.
+        const bool isKnown =
+            !visibility.empty() && !plan && !std::holds_alternative<ShadowVolumesTechnique>(choice.technique);
+        Expected<std::vector<Visibility>, Refusal> answer = plan ? executor->run(context.stage, *plan, context.samples)
+                                                            : isKnown
+                                                                ? visibility.front()
+                                                                : withoutMap(context, choice.technique, *executor);
+        std::vector<ResultRow> some = answer ? rowsOf(context, *executor, choice, *answer, plan ? &*plan : nullptr)
+                                             : refusedRows(context, choice, *executor, answer.error());
+        visibility.push_back(answer ? std::move(answer).value() : std::vector<Visibility>(context.shot.lights.size()));
         rows.insert(rows.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
     }
     if (executors.size() == 2) addAgreement(context, rows, visibility, executors);

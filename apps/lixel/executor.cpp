@@ -67,6 +67,12 @@ public:
         timing.clock = "steady_clock, without view samples and shading";
         return timing;
     }
+    Expected<std::vector<Visibility>, Refusal> shadowVolumes(const Stage&, const View&, std::span<const Light>,
+                                                             const ViewSamples&) override
+    {
+        return Unexpected{Refusal{"needs-gl", "shadow volumes are counted by a rasterizer: --executor gl"}};
+    }
+    RowTiming timeVolumes(const Stage&, const View&, std::span<const Light>, int, bool) override { return {}; }
     Image<Rgba8> shade(const Stage& stage, const View&, std::span<const Light> lights, const ViewSamples& samples,
                        std::span<const Visibility> visibility) override
     {
@@ -76,6 +82,16 @@ public:
 };
 
 #if LIXEL_HAS_GL
+RowTiming rowTiming(const FrameTimes& times)
+{
+    RowTiming timing;
+    timing.frameMs = times.frameMs;
+    timing.gpuMs = times.gpuMs;
+    timing.clock = times.clock;
+    for (const FrameTimes::Pass& pass : times.passes) timing.passes.push_back({pass.name, pass.ms});
+    return timing;
+}
+
 class GlAdapter final : public Executor
 {
 public:
@@ -95,12 +111,22 @@ public:
         const CasterSource casters = seen;
         const FrameTimes times =
             executor_.measure({seen, casters, view, plan, extras.lights, std::nullopt, {}, extras.warps}, frames);
-        RowTiming timing;
-        timing.frameMs = times.frameMs;
-        timing.gpuMs = times.gpuMs;
-        timing.clock = times.clock;
-        for (const FrameTimes::Pass& pass : times.passes) timing.passes.push_back({pass.name, pass.ms});
-        return timing;
+        return rowTiming(times);
+    }
+    Expected<std::vector<Visibility>, Refusal> shadowVolumes(const Stage& stage, const View& view,
+                                                             std::span<const Light> lights,
+                                                             const ViewSamples& samples) override
+    {
+        auto visibility = executor_.shadowVolumes(stage.buffers.casters(), view, lights, samples);
+        if (visibility) return std::move(visibility).value();
+        const VolumeFailure why = visibility.error();
+        return Unexpected{Refusal{std::string(nameOf(why)), std::string(sentenceFor(why))}};
+    }
+    RowTiming timeVolumes(const Stage& stage, const View& view, std::span<const Light> lights, int frames,
+                          bool isShaded) override
+    {
+        const auto times = executor_.measureVolumes(stage.buffers.casters(), view, lights, isShaded, frames);
+        return times ? rowTiming(*times) : RowTiming{};
     }
     Image<Rgba8> shade(const Stage& stage, const View& view, std::span<const Light> lights, const ViewSamples& samples,
                        std::span<const Visibility> visibility) override

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lixel/base/expected.h"
 #include "lixel/base/image.h"
 #include "lixel/base/surfaces.h"
 #include "lixel/base/view_samples.h"
@@ -47,6 +48,13 @@ public:
 
     // One visibility a light of the plan, for any list of samples; a refused light's is empty.
     virtual std::vector<Visibility> run(const Stage& stage, const FramePlan& plan, const ViewSamples& samples) = 0;
+
+    // By shadow volumes, of samples at pixel centres of the view; or why not.
+    virtual Expected<std::vector<Visibility>, Refusal>
+    shadowVolumes(const Stage& stage, const View& view, std::span<const Light> lights, const ViewSamples& samples) = 0;
+    // Times of a frame with them, where they are not refused.
+    virtual RowTiming timeVolumes(const Stage& stage, const View& view, std::span<const Light> lights, int frames,
+                                  bool isShaded) = 0;
 
     // Times of the frame that run() makes, without bringing results back: the median of `frames` undisturbed ones after two
     // more, and each pass by itself.

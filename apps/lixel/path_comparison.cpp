@@ -168,8 +168,9 @@ PathComparison::Said PathComparison::ask(Executor& executor, const TechniqueChoi
         return said;
     }
     Said said;
-    for (const Visibility& one : plan ? executor.run(*now.stage, *plan, all)
-                                      : visibilityByRays(choice.technique, *now.stage, now.view, all, lights)) {
+    const auto answer = plan ? executor.run(*now.stage, *plan, all)
+                             : visibilityWithoutMap(choice.technique, executor, *now.stage, now.view, all, lights);
+    for (const Visibility& one : *answer) {
         const bool isThere = !one.value.empty(); // else its light was refused
         said.ofSamples.push_back(isThere ? part(one, 0, now.samples.size()) : Visibility{});
         said.ofFollowed.push_back(isThere ? part(one, now.samples.size(), all.size()) : Visibility{});

@@ -62,7 +62,12 @@ void addShadows(Picture& picture, Executor& executor, const TechniqueChoice& cho
     picture.plan =
         planFor(choice, {picture.stage, picture.view, lights, picture.planes, picture.samples}, lixels, executor);
     if (!picture.plan) {
-        picture.visibility = visibilityByRays(choice.technique, picture.stage, picture.view, picture.samples, lights);
+        auto visibility =
+            visibilityWithoutMap(choice.technique, executor, picture.stage, picture.view, picture.samples, lights);
+        if (!visibility)
+            throw RefusedError(fmt::format("{} is refused: {} ({})", choice.typed, visibility.error().message,
+                                           visibility.error().reason));
+        picture.visibility = std::move(visibility).value();
         return;
     }
     expectPlanned(*picture.plan, choice, lights);

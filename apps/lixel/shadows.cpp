@@ -155,9 +155,13 @@ PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, c
     return memory;
 }
 
-std::vector<Visibility> visibilityByRays(const Technique& technique, const Stage& stage, const View& view,
-                                         const ViewSamples& samples, std::span<const Light> lights)
+Expected<std::vector<Visibility>, Refusal> visibilityWithoutMap(const Technique& technique, Executor& executor,
+                                                                const Stage& stage, const View& view,
+                                                                const ViewSamples& samples,
+                                                                std::span<const Light> lights)
 {
+    if (std::holds_alternative<ShadowVolumesTechnique>(technique))
+        return executor.shadowVolumes(stage, view, lights, samples);
     std::vector<Visibility> out;
     for (const Light& light : lights) {
         if (const auto* area = std::get_if<ExactAreaTechnique>(&technique))

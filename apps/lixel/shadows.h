@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// From a technique to visibility: by a plan, which executors run, or by rays.
+// From a technique to visibility: by a plan, which executors run, or without a map.
 namespace lixel::app {
 
 // A technique as it was asked for, with what it takes from files.
@@ -58,9 +58,11 @@ std::optional<WarpLayout> warpLayoutFor(const TechniqueChoice& choice, const Pla
 PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, const FramePlan& plan,
                     std::span<const Visibility> visibility);
 
-// What a technique without a map says, one a light. It is the same for all executors.
-std::vector<Visibility> visibilityByRays(const Technique& technique, const Stage& stage, const View& view,
-                                         const ViewSamples& samples, std::span<const Light> lights);
+// What a technique without a map says, one a light. Rays are the same for all executors; shadow volumes may be refused.
+Expected<std::vector<Visibility>, Refusal> visibilityWithoutMap(const Technique& technique, Executor& executor,
+                                                                const Stage& stage, const View& view,
+                                                                const ViewSamples& samples,
+                                                                std::span<const Light> lights);
 
 // Footprints in the light image that serves a point: of the first region that holds it. The plan must outlive it.
 class ServedFootprints

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lixel/base/caster_source.h"
+#include "lixel/base/expected.h"
 #include "lixel/base/image.h"
 #include "lixel/base/light.h"
 #include "lixel/base/observation.h"
@@ -9,6 +10,7 @@
 #include "lixel/base/view_samples.h"
 #include "lixel/base/visibility.h"
 #include "lixel/gl/graphics_error.h"
+#include "lixel/gl/volume_failure.h"
 #include "lixel/plan/partition/sdsm_fill.h"
 #include "lixel/plan/shadow_plan.h"
 #include "lixel/plan/warp/warp_fill.h"
@@ -91,6 +93,12 @@ public:
     // good until the next call.
     std::uint32_t drawAtlas(const FramePlan& plan, const CasterSource& casters);
 
+    // Visibility without a map: by shadow volumes, whose truth is the rasterizer's. Samples stand at the centres of pixels of the
+    // view, at most one in each. One Visibility a light.
+    Expected<std::vector<Visibility>, VolumeFailure> shadowVolumes(const CasterBuffers& casters, const View& view,
+                                                                   std::span<const Light> lights,
+                                                                   const ViewSamples& samples);
+
     // The picture with visibility from anywhere, one Visibility a light: a pixel takes the weighted mean of its samples, and is
     // lit where it has none; so is everything where a light's values are empty. Row 0 is the bottom.
     Image<Rgba8> shade(const CasterBuffers& casters, const View& view, std::span<const Light> lights,
@@ -128,6 +136,10 @@ public:
 
     // Draws the frame, and its maps each time, twice to warm up, then `frames` times undisturbed and `frames` times pass by pass.
     FrameTimes measure(const Frame& frame, int frames = 15);
+
+    // The same of a frame with shadow volumes, of casters whose edges are known; without culling. Shaded where asked for.
+    Expected<FrameTimes, VolumeFailure> measureVolumes(const CasterBuffers& casters, const View& view,
+                                                       std::span<const Light> lights, bool isShaded, int frames = 15);
 
 private:
     struct State;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace lixel {
 namespace {
@@ -188,7 +189,13 @@ std::optional<Fit> croppedTo(const Fit& fit, const RaySpace& space, std::span<co
     const Vec4d wide = (1 + kUnroomed) * w;
     const auto inside = [&](Vec4d side) { return space.insideOf({xyz(side), side.w}); };
     const std::array<Vec3d, 4> sides{inside(wide + x), inside(wide - x), inside(wide + y), inside(wide - y)};
-    const LightFrame frame = space.frameOf(fit);
+    LightFrame frame = space.frameOf(fit);
+    // Of parallel rays too, w is not 1 where the fit is a warped one.
+    if (!frame.isPerspective && !pointsLocal.empty()) {
+        frame.leastW = std::numeric_limits<double>::max();
+        for (const Vec3d& p : pointsLocal) frame.leastW = std::min(frame.leastW, dot(w, point(p)));
+        if (!(frame.leastW > 0)) return fit;
+    }
     scratch.points.clear();
     double rounding = 0; // of rays, in their image
     for (const RayPolygon& polygon : rays) {

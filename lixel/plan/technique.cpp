@@ -188,6 +188,10 @@ Answer takeNoMap(const Word& word, Parts& parts)
         if (!word.arguments.empty()) return "\"exact\" takes no arguments";
         return setOnce(parts.noMap, Technique(ExactTechnique{}), "technique without a map");
     }
+    if (word.name == "shadow-volumes") {
+        if (!word.arguments.empty()) return "\"shadow-volumes\" takes no arguments";
+        return setOnce(parts.noMap, Technique(ShadowVolumesTechnique{}), "technique without a map");
+    }
     if (word.name == "exact-area") {
         const auto n = onlyInteger(word, "n", 64);
         if (!n || *n < 1 || *n > 1024 || !isSquare(*n)) return "exact-area(n) takes a square number n from 1 to 1024";

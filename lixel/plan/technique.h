@@ -135,7 +135,8 @@ bool needsViewSamples(const MapTechnique& technique);
 // Of the technique or of its else(...); null where neither is.
 const SceneOptimalFit* sceneOptimalOf(const MapTechnique& technique);
 
-// Techniques without one: a ray a view sample, or `samples` rays over the pixel's area.
+// Techniques without one: a ray a view sample, `samples` rays over the pixel's area, or counting the volumes that silhouettes bound
+// (Crow 1977), on the device.
 struct ExactTechnique
 {
     friend bool operator==(const ExactTechnique&, const ExactTechnique&) = default;
@@ -145,8 +146,12 @@ struct ExactAreaTechnique
     int samples = 64; // a square number
     friend bool operator==(const ExactAreaTechnique&, const ExactAreaTechnique&) = default;
 };
+struct ShadowVolumesTechnique
+{
+    friend bool operator==(const ShadowVolumesTechnique&, const ShadowVolumesTechnique&) = default;
+};
 
-using Technique = std::variant<MapTechnique, ExactTechnique, ExactAreaTechnique>;
+using Technique = std::variant<MapTechnique, ExactTechnique, ExactAreaTechnique, ShadowVolumesTechnique>;
 
 // Says what is wrong in one line that quotes the text and names what is known.
 Expected<Technique, std::string> parseTechnique(std::string_view text);

@@ -58,6 +58,7 @@ std::string name(const MatrixFit& fit) { return fmt::format("matrix({})", fit.fi
 std::string name(const PlanFit& fit) { return fmt::format("plan({})", fit.file); }
 std::string name(const ExactTechnique&) { return "exact"; }
 std::string name(const ExactAreaTechnique& area) { return fmt::format("exact-area({})", area.samples); }
+std::string name(const ShadowVolumesTechnique&) { return "shadow-volumes"; }
 
 template <typename... Choices>
 std::string nameOfChoice(const std::variant<Choices...>& choice)

@@ -42,6 +42,11 @@ const int kStorageImportance = 24;
 const int kStorageWeights = 25;
 const int kStorageLineSums = 26;
 const int kStorageNearest = 27;
+const int kStorageFacing = 28;
+const int kStorageEdges = 29;
+const int kStorageEdgeUses = 30;
+const int kStorageSides = 31;
+const int kStorageSideDraw = 32;
 
 // Uniform buffers.
 const int kUniformView = 0;
@@ -62,6 +67,7 @@ const int kUnitWords = 6;
 const int kUnitMoreWords = 7;
 const int kUnitGradients = 8;
 const int kUnitMoments = 9;
+const int kUnitVolumes = 10;
 
 // Image units.
 const int kImagePicture = 0;

@@ -173,6 +173,34 @@ TEST_F(Compare, BothExecutorsSayHowFarTheyAgree)
     }
 }
 
+TEST_F(Compare, ShadowVolumesAreCountedByGlAndRefusedElsewhereByName)
+{
+    if (const std::string missing = missingGraphics(folder_.path()); !missing.empty()) GTEST_SKIP() << missing;
+    compare({"table", "--view", "two-lights", "--size", "128x128", "--lixels", "64x64", "--executor", "both",
+             "--techniques", "shadow-volumes", "--timing-frames", "1", "-o", "out"});
+    EXPECT_EQ(schemaError(resultsText()), "");
+    int measured = 0, refused = 0;
+    for (const Json& row : results()) {
+        if (row.at("technique") != "shadow-volumes") continue;
+        if (row.at("executor") == "trace") {
+            EXPECT_EQ(row.at("refused").at("reason"), "needs-gl");
+            ++refused;
+            continue;
+        }
+        EXPECT_LE(row.at("misclassified"), row.at("light_facing").get<int>() / 1000);
+        EXPECT_GT(row.at("timing").at("frame_ms"), 0);
+        ++measured;
+    }
+    EXPECT_EQ(measured, 2);
+    EXPECT_EQ(refused, 2);
+
+    const CommandResult holes =
+        compare({"fence", "--view", "tree", "--size", "32x32", "--techniques", "shadow-volumes", "--json", "-"}, 5);
+    EXPECT_NE(holes.out.find("masked-casters"), std::string::npos) << holes.out;
+    const CommandResult path = compare({"table", "--path", "--techniques", "shadow-volumes", "--json", "-"}, 2);
+    EXPECT_NE(path.err.find("--path"), std::string::npos) << path.err;
+}
+
 TEST_F(Compare, RefusedLightsHaveRowsWithTheReason)
 {
     const std::string room = (dataFolder() / "room.obj").string();

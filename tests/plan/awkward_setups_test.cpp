@@ -41,30 +41,51 @@ class Awkward : public testing::TestWithParam<const char*>
 {
 };
 
+void expectAnySetupServed(Rng& rng, const char* technique)
+{
+    const RandomSetup setup = test::awkwardSetup(rng);
+    const ViewSamples samples = test::anySamples(setup, rng);
+    const LixelSize budget = kBudgets[rng.integer(0, 6)];
+    PlanInput input{setup.view,
+                    {&setup.light, 1},
+                    setup.boxesWorld,
+                    setup.originWorld,
+                    std::get<MapTechnique>(*parseTechnique(technique)),
+                    budget};
+    if (rng.chance(0.7) || needsViewSamples(input.technique)) input.seen = &samples;
+    input.seenIsAll = input.seen && rng.chance(0.5);
+    test::PlanedCase planed;
+    if (test::wantsMore(input.technique)) planed.giveTo(input, setup, samples, rng, false);
+    const FramePlan plan = planShadows(input);
+    EXPECT_LE(plan.lixelsOf(0), std::int64_t(budget.width) * budget.height);
+    expectFinite(plan);
+    if (!plan.lights[0].refused) expectServed(plan, samples, budget.width * budget.height >= 256);
+    else if (samples.size() > 0) {
+        EXPECT_NE(*plan.lights[0].refused, FitFailure::NothingInView);
+    }
+}
+
 TEST_P(Awkward, SetupsHaveFinitePlansThatServeEveryReceiverOrAreRefusedByName)
 {
-    forEachCase(3 * test::kCases, [](Rng& rng) {
-        const RandomSetup setup = test::awkwardSetup(rng);
-        const ViewSamples samples = test::anySamples(setup, rng);
-        const LixelSize budget = kBudgets[rng.integer(0, 6)];
-        PlanInput input{setup.view,
-                        {&setup.light, 1},
-                        setup.boxesWorld,
-                        setup.originWorld,
-                        std::get<MapTechnique>(*parseTechnique(GetParam())),
-                        budget};
-        if (rng.chance(0.7) || needsViewSamples(input.technique)) input.seen = &samples;
-        input.seenIsAll = input.seen && rng.chance(0.5);
-        test::PlanedCase planed;
-        if (test::wantsMore(input.technique)) planed.giveTo(input, setup, samples, rng, false);
-        const FramePlan plan = planShadows(input);
-        EXPECT_LE(plan.lixelsOf(0), std::int64_t(budget.width) * budget.height);
-        expectFinite(plan);
-        if (!plan.lights[0].refused) expectServed(plan, samples, budget.width * budget.height >= 256);
-        else if (samples.size() > 0) {
-            EXPECT_NE(*plan.lights[0].refused, FitFailure::NothingInView);
-        }
-    });
+    forEachCase(3 * test::kCases, [](Rng& rng) { expectAnySetupServed(rng, GetParam()); });
+}
+
+// Setups that many random cases came upon, where plans were wrong once.
+TEST(AwkwardFinds, AreServed)
+{
+    struct Find
+    {
+        const char* technique;
+        std::uint64_t seed;
+    };
+    for (const Find& find : {
+             Find{"planes(a,b,c)+plane-optimal+else(psm)+pcf(9)", 20230028}, // rounding, cropped to what is seen
+             Find{"pssm(3)+scene-optimal", 20144776},                        // a line through the light, w but rounding
+         }) {
+        SCOPED_TRACE(find.technique);
+        Rng rng(find.seed);
+        expectAnySetupServed(rng, find.technique);
+    }
 }
 
 constexpr const char* kTechniques[] = {"uniform",

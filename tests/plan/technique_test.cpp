@@ -56,6 +56,7 @@ TEST(TechniqueText, TheCanonicalFormParsesBackToTheSameValue)
                              "whole+uniform",
                              "exact",
                              "exact-area(16)",
+                             "shadow-volumes",
                              "pcf:4",
                              "sdsm:3",
                              "cube+desired-view(rotated)",

@@ -18,9 +18,18 @@ void apply(const DrawState& state)
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
-    glDepthMask(GL_TRUE);
+    const GLboolean draws = state.countsBehind ? GL_FALSE : GL_TRUE;
+    glDepthMask(draws);
     glDepthRange(0, 1);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glColorMask(draws, draws, draws, draws);
+    glStencilMask(0xff);
+    if (state.countsBehind) {
+        glEnable(GL_STENCIL_TEST);
+        glFrontFace(GL_CCW);
+        glStencilFunc(GL_ALWAYS, 0, 0xff);
+        glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+        glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+    }
     glEnable(GL_FRAMEBUFFER_SRGB); // of textures that are sRGB; others are as they are
     (state.clampsDepth ? glEnable : glDisable)(GL_DEPTH_CLAMP);
 }

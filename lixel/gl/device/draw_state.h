@@ -4,10 +4,13 @@
 namespace lixel::gl {
 
 // All fixed state that decides what a draw of ours writes, set as a whole: a host may have left anything behind. Always:
-// both sides of triangles, reversed depth in 0..1 (greater is nearer), no blending, stencil or scissor.
+// both sides of triangles, reversed depth in 0..1 (greater is nearer), no blending or scissor.
 struct DrawState
 {
     bool clampsDepth = false; // geometry beyond the near and far planes is drawn at them
+    // Nothing is drawn but counted in the stencil, modulo 256: what is not nearer than the depth that is there, 1 for each side that
+    // faces away and -1 for each that faces the viewer.
+    bool countsBehind = false;
 };
 void apply(const DrawState& state);
 

@@ -138,6 +138,7 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
     int layers() const { return layers_; }
+    std::uint32_t format() const { return internalFormat_; }
     std::uint32_t name() const { return name_.get(); }
 
     // Makes it anew when size or format differ; contents are then lost.
@@ -152,7 +153,7 @@ private:
     int width_ = 0, height_ = 0, layers_ = 0;
 };
 
-// Colour attachments in order, and a depth attachment or none. Array textures are attached whole: layered.
+// Colour attachments in order, and a depth attachment, with stencil where it has one, or none. Array textures are attached whole: layered.
 class Framebuffer
 {
 public:

@@ -39,19 +39,34 @@ void PointList::resizeToPixels(int width, int height, Vec3d originWorld)
     resize(std::size_t(width) * std::size_t(height), width, height, originWorld);
 }
 
+shared::ViewPoint PointList::entryOf(const ViewSamples& samples, std::size_t i) const
+{
+    const Vec3f& p = samples.positionLocal[i];
+    const Vec3f& n = samples.normal[i];
+    const int x = std::clamp(int(samples.pixel[i].x), 0, width_ - 1);
+    const int y = std::clamp(int(samples.pixel[i].y), 0, height_ - 1);
+    return {{p.x, p.y, p.z},
+            std::uint32_t(y) * std::uint32_t(width_) + std::uint32_t(x),
+            {n.x, n.y, n.z},
+            samples.triangle[i]};
+}
+
 void PointList::upload(const ViewSamples& samples)
 {
     resize(samples.size(), samples.width, samples.height, samples.originWorld);
     staging_.resize(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) staging_[i] = entryOf(samples, i);
+    entries_.write(0, std::span<const shared::ViewPoint>(staging_));
+}
+
+void PointList::uploadToPixels(const ViewSamples& samples)
+{
+    resizeToPixels(samples.width, samples.height, samples.originWorld);
+    staging_.assign(size_, {{}, shared::kNoPixel, {}, 0xffffffffu});
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        const Vec3f& p = samples.positionLocal[i];
-        const Vec3f& n = samples.normal[i];
-        const int x = std::clamp(int(samples.pixel[i].x), 0, width_ - 1);
-        const int y = std::clamp(int(samples.pixel[i].y), 0, height_ - 1);
-        staging_[i] = {{p.x, p.y, p.z},
-                       std::uint32_t(y) * std::uint32_t(width_) + std::uint32_t(x),
-                       {n.x, n.y, n.z},
-                       samples.triangle[i]};
+        const shared::ViewPoint entry = entryOf(samples, i);
+        LX_ASSERT(staging_[entry.pixel].pixel == shared::kNoPixel);
+        staging_[entry.pixel] = entry;
     }
     entries_.write(0, std::span<const shared::ViewPoint>(staging_));
 }

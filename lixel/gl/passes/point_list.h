@@ -31,6 +31,9 @@ public:
     // One entry a sample. Of `pixel` only the whole part arrives; weights and marks stay with the caller.
     void upload(const ViewSamples& samples);
 
+    // One entry a pixel: the sample at its centre, or the mark where there is none. No pixel has two.
+    void uploadToPixels(const ViewSamples& samples);
+
     // Waits for the device. Entries without surface are left out; samples stand at pixel centres.
     ViewSamples download();
 
@@ -45,6 +48,7 @@ public:
 
 private:
     void resize(std::size_t size, int width, int height, Vec3d originWorld);
+    shared::ViewPoint entryOf(const ViewSamples& samples, std::size_t i) const;
 
     const Device* device_;
     Buffer entries_;

@@ -19,6 +19,9 @@ constexpr double kLeastNearPerFar = 1e-4;
 // A warp's horizon must stay clear of what is held: w changes by this factor at most.
 constexpr double kLeastRelativeW = 1e-6;
 
+// Of the terms that it is the sum of, so much must be left of w: less is sixteen roundings of the floats that executors have.
+constexpr double kLeastOfTermsOfW = 16 * 0x1p-24;
+
 // A rectangle has this size at least, against its distance from the light plane's origin: a map of one line or point is still a map.
 constexpr double kLeastRelativeHalfSize = 1e-9;
 
@@ -316,10 +319,12 @@ std::optional<FramedBody> framedIn(const LightFrame& frame, std::span<const Vec3
 
 std::optional<FramedBody> held(FramedBody body)
 {
-    const Vec4d w = body.frame.framedFromLocal.row(3);
+    const Vec4d w = body.frame.framedFromLocal.row(3), size = absolute(w);
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const Vec3d& p : body.corners) {
         const double value = dot(w, point(p));
+        const double terms = dot(size, point({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
+        if (!(value > kLeastOfTermsOfW * terms)) return std::nullopt;
         least = std::min(least, value);
         most = std::max(most, value);
     }

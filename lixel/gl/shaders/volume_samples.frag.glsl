@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The depth and the triangle of the sample in each pixel, of a list with an entry a pixel.
+#include "lixel/shared/gl_slots.h"
+#include "lixel/shared/view_tables.h"
+
+layout(std430, binding = kStoragePoints) readonly buffer Points { ViewPoint points[]; };
+
+layout(location = 0) uniform uint firstPoint; // of this part of the list
+layout(location = 1) uniform uint pointCount; // in it
+layout(location = 2) uniform uint width;      // of the picture
+layout(location = 3) uniform vec4 wFromLocal; // the view's row
+layout(location = 4) uniform float nearest;
+
+layout(location = 0) out uint outTriangle;
+
+void main()
+{
+    uint entry = uint(gl_FragCoord.y) * width + uint(gl_FragCoord.x) - firstPoint;
+    if (entry >= pointCount || points[entry].pixel == kNoPixel) discard;
+    outTriangle = points[entry].triangle;
+    gl_FragDepth = nearest / dot(wFromLocal, vec4(points[entry].positionLocal, 1.0));
+}
