@@ -2,7 +2,9 @@
 #include "commands.h"
 #include "exit_code.h"
 #include "experiment.h"
+#include "experiments/claims.h"
 #include "lixel/report/html.h"
+#include "lixel/report/reproductions.h"
 #include "lixel/report/write_file.h"
 #include "option_checks.h"
 #include "output.h"
@@ -74,47 +76,116 @@ void printNumbers(const Reproduction& reproduction, std::FILE* to)
                        n.papers ? fmt::format("{:.4f}", *n.papers) : "-", n.source);
 }
 
+void printClaims(const std::vector<ReproducedClaim>& claims, std::FILE* to)
+{
+    for (const ReproducedClaim& claim : claims)
+        fmt::print(to, "{} \"{}\" ({}): {}\n", claim.holds ? "holds:    " : "holds not:", claim.sentence, claim.source,
+                   claim.measured);
+}
+
+void expectTakes(const Experiment& experiment, const ExperimentOptions& asked)
+{
+    if (!experiment.isOfLights && (asked.lights || asked.size || asked.lixels))
+        throw UsageError(
+            fmt::format("reproduce {}: --lights, --size and --lixels are for experiments with many lights in one view",
+                        experiment.name));
+}
+
+Reproduction reproduced(const Experiment& experiment, ExperimentOptions asked, const std::string& commandLine)
+{
+    if (asked.executor.empty()) asked.executor = experiment.executor;
+    const Stopwatch total;
+    Reproduction reproduction = experiment.run(asked);
+    reproduction.name = experiment.name;
+    reproduction.paper = experiment.paper;
+    reproduction.question = experiment.question;
+    reproduction.isQuick = asked.isQuick;
+    reproduction.run.seed = asked.seed;
+    reproduction.claims = claimsOf(experiment.name, reproduction);
+    finishResults(reproduction.run, commandLine, total.seconds(), reproduction.run.timing.host);
+    return reproduction;
+}
+
+void writeInto(const std::filesystem::path& folder, const Reproduction& reproduction)
+{
+    writeFileAtomically(folder / "results.json", toJson(reproduction));
+    writeReport(folder, reproduction);
+}
+
+int runOne(const Experiment& experiment, const ReproduceOptions& options, const std::string& commandLine)
+{
+    if (options.output == "-") throw UsageError("reproduce -o -: expected the name of a folder");
+    ExperimentOptions asked = options.experiment;
+    expectTakes(experiment, asked);
+    asked.pictures = options.output;
+    std::optional<ReportFolder> report;
+    if (!options.output.empty()) report.emplace(options.output, true);
+    if (!options.json.empty()) expectWritable(options.json);
+    const Reproduction reproduction = reproduced(experiment, asked, commandLine);
+    if (!options.json.empty()) writeOrPrint(options.json, toJson(reproduction));
+    std::FILE* const told = options.json == "-" ? stderr : stdout;
+    if (report) writeInto(asked.pictures, reproduction);
+    printNumbers(reproduction, told);
+    printClaims(reproduction.claims, told);
+    if (report) fmt::print(told, "report: {}\n", (asked.pictures / "report.html").string());
+    return kDone;
+}
+
+// One after the other, each into a folder of its name. What cannot be run here is left out, with the reason.
+int runAll(const ReproduceOptions& options, const std::string& commandLine)
+{
+    const ExperimentOptions& given = options.experiment;
+    if (options.output.empty() || options.output == "-")
+        throw UsageError("reproduce all: give -o FOLDER for the reports");
+    if (given.lights || given.size || given.lixels || !given.executor.empty())
+        throw UsageError("reproduce all: --lights, --size, --lixels and --executor are of single experiments");
+    const OutputFolder folder(options.output);
+    if (!options.json.empty()) expectWritable(options.json);
+    std::FILE* const told = options.json == "-" ? stderr : stdout;
+    const Stopwatch total;
+    Reproductions all{LIXEL_VERSION, commandLine, given.isQuick, {}, {}};
+    std::string host;
+    for (const Experiment& experiment : experiments()) {
+        fmt::print(told, "[{}/{}] {}\n", all.entries.size() + 1, experiments().size(), experiment.name);
+        std::fflush(told);
+        Reproductions::Entry& entry = all.entries.emplace_back(
+            Reproductions::Entry{experiment.name, experiment.paper, experiment.question, {}, 0, {}});
+        const Stopwatch one;
+        try {
+            ExperimentOptions asked = given;
+            asked.pictures = folder.path() / experiment.name;
+            const ReportFolder report(asked.pictures, true);
+            const Reproduction reproduction = reproduced(experiment, asked, commandLine);
+            writeInto(asked.pictures, reproduction);
+            entry.claims = reproduction.claims;
+            host = reproduction.run.timing.host;
+        } catch (const UsageError& error) { // scenes that are not there
+            entry.leftOut = error.what();
+            fmt::print(told, "left out: {}\n", entry.leftOut);
+        }
+        entry.seconds = one.seconds();
+        printClaims(entry.claims, told);
+    }
+    all.timing = timingNow(total.seconds(), host);
+    const std::string json = toJson(all);
+    writeFileAtomically(folder.path() / "results.json", json);
+    if (!options.json.empty()) writeOrPrint(options.json, json);
+    writeReport(folder.path(), all);
+    fmt::print(told, "report: {}\n", (folder.path() / "report.html").string());
+    return kDone;
+}
+
 int runReproduce(const ReproduceOptions& options, const std::string& commandLine)
 {
     if (options.name.empty()) {
         printList();
         return kDone;
     }
-    for (const Experiment& experiment : experiments()) {
-        if (experiment.name != options.name) continue;
-        if (options.output == "-") throw UsageError("reproduce -o -: expected the name of a folder");
-        ExperimentOptions asked = options.experiment;
-        if (!experiment.isOfLights && (asked.lights || asked.size || asked.lixels))
-            throw UsageError(fmt::format(
-                "reproduce {}: --lights, --size and --lixels are for experiments with many lights in one view",
-                experiment.name));
-        if (asked.executor.empty()) asked.executor = experiment.executor;
-        asked.pictures = options.output;
-        std::optional<ReportFolder> report;
-        if (!options.output.empty()) report.emplace(options.output, true);
-        if (!options.json.empty()) expectWritable(options.json);
-        const Stopwatch total;
-        Reproduction reproduction = experiment.run(asked);
-        reproduction.name = experiment.name;
-        reproduction.paper = experiment.paper;
-        reproduction.question = experiment.question;
-        reproduction.isQuick = options.experiment.isQuick;
-        reproduction.run.seed = options.experiment.seed;
-        finishResults(reproduction.run, commandLine, total.seconds(), reproduction.run.timing.host);
-        const std::string json = toJson(reproduction);
-        if (!options.json.empty()) writeOrPrint(options.json, json);
-        std::FILE* const told = options.json == "-" ? stderr : stdout;
-        if (report) {
-            writeFileAtomically(asked.pictures / "results.json", json);
-            writeReport(asked.pictures, reproduction);
-        }
-        printNumbers(reproduction, told);
-        if (report) fmt::print(told, "report: {}\n", (asked.pictures / "report.html").string());
-        return kDone;
-    }
-    std::string known;
+    if (options.name == "all") return runAll(options, commandLine);
     for (const Experiment& experiment : experiments())
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", experiment.name);
+        if (experiment.name == options.name) return runOne(experiment, options, commandLine);
+    std::string known = "all";
+    for (const Experiment& experiment : experiments()) known += fmt::format(", {}", experiment.name);
     throw UsageError(fmt::format("reproduce \"{}\": no such experiment (known: {})", options.name, known));
 }
 
@@ -124,7 +195,7 @@ Command addReproduce(CLI::App& parent, const std::string& commandLine)
 {
     auto o = std::make_shared<ReproduceOptions>();
     CLI::App* app = parent.add_subcommand("reproduce", "the papers' experiments; without a name, the list of them");
-    app->add_option("NAME", o->name, "which");
+    app->add_option("NAME", o->name, "which; all: one after the other, each into a folder of its name");
     app->add_flag("--quick", o->experiment.isQuick, "fewer cases, the same question");
     app->add_option("--seed", o->experiment.seed, "of everything random")->check(wholeNumber())->capture_default_str();
     app->add_option("--executor", o->experiment.executor, "gl or trace; by default what the experiment is made for")

@@ -84,6 +84,18 @@ Json toJson(const std::vector<PictureRow>& figures)
 
 } // namespace
 
+std::string toJson(const std::vector<ReproducedClaim>& claims, bool isOfTiming)
+{
+    Json all = Json::array();
+    for (const ReproducedClaim& claim : claims)
+        if (claim.isOfTiming == isOfTiming)
+            all.push_back({{"sentence", claim.sentence},
+                           {"source", claim.source},
+                           {"measured", claim.measured},
+                           {"holds", claim.holds}});
+    return all.dump();
+}
+
 std::optional<double> percentMore(const ReproducedTable::Row& row, std::size_t column)
 {
     return percentMoreThan(row.cells.front().ours, row.cells[column].ours);
@@ -107,8 +119,11 @@ std::string toJson(const Reproduction& reproduction)
                            {"parameters", parameters},
                            {"numbers", toJson(reproduction.numbers)},
                            {"tables", toJson(reproduction.tables)},
+                           {"claims", Json::parse(toJson(reproduction.claims, false))},
                            {"figures", toJson(reproduction.figures)},
-                           {"timing", {{"numbers", toJson(reproduction.timingNumbers)}}}};
+                           {"timing",
+                            {{"numbers", toJson(reproduction.timingNumbers)},
+                             {"claims", Json::parse(toJson(reproduction.claims, true))}}}};
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

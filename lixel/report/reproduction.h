@@ -59,6 +59,15 @@ struct PictureRow
     PictureLayer layer = PictureLayer::None;
 };
 
+// What a paper says in words, in short, and what became of it.
+struct ReproducedClaim
+{
+    std::string sentence, source; // where in the paper
+    std::string measured;         // numbers, and how the words were read
+    bool holds = false;
+    bool isOfTiming = false; // depends on the clock and the machine
+};
+
 // One experiment of a paper, run again.
 struct Reproduction
 {
@@ -68,9 +77,13 @@ struct Reproduction
     std::vector<ReproducedNumber> numbers;
     std::vector<ReproducedNumber> timingNumbers; // those that depend on the clock and the machine
     std::vector<ReproducedTable> tables;
+    std::vector<ReproducedClaim> claims;
     std::vector<PictureRow> figures; // of rows with pictures
     RunResults run;                  // what the numbers were made from
 };
+
+// The claims that depend on the clock, or the others, as a JSON array.
+std::string toJson(const std::vector<ReproducedClaim>& claims, bool isOfTiming);
 
 // JSON as toJson(RunResults) writes it, with `reproduction` beside `results`.
 std::string toJson(const Reproduction& reproduction);

@@ -3,6 +3,7 @@
 #include "report/sample_results.h"
 #include "report/schema_check.h"
 #include "run_command.h"
+#include "support/random_cases.h"
 
 #include "lixel/report/png.h"
 
@@ -50,6 +51,17 @@ TEST_F(ReproduceLixelFig7, WritesNumbersAndAReport)
     const Json run = results();
     for (const Json& number : run.at("reproduction").at("numbers"))
         EXPECT_NE(run_.out.find(number.at("key").get<std::string>()), std::string::npos);
+}
+
+TEST_F(ReproduceLixelFig7, SettlesWhatThePaperSaysInWords)
+{
+    const Json run = results();
+    const Json& claims = run.at("reproduction").at("claims");
+    EXPECT_EQ(claims.size(), 6u);
+    for (const Json& claim : claims) {
+        EXPECT_NE(run_.out.find(claim.at("sentence").get<std::string>()), std::string::npos);
+        EXPECT_NE(claim.at("measured").get<std::string>().find("bunnies"), std::string::npos) << claim;
+    }
 }
 
 // Six techniques in the same frames of both scenes, none of which is refused or leaves a sample unserved.
@@ -293,6 +305,42 @@ TEST(ReproduceNowTables, HaveMisclassifiedPercentOfEveryMethodAndSayWhatIsLeftOu
     EXPECT_LT(percent.at("city (Observatory): RTW, misclassified"),
               percent.at("city (Observatory): SM, misclassified"));
     EXPECT_NE(run.err.find("conference.glb, sponza_crytek.glb"), std::string::npos) << run.err;
+}
+
+TEST(ReproduceAll, NeedsAFolderAndTakesNoOptionsOfSingleExperiments)
+{
+    TemporaryFolder folder;
+    CommandOptions options;
+    options.folder = folder.path();
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"reproduce", "all"},
+                                                  {"reproduce", "all", "-o", "-"},
+                                                  {"reproduce", "all", "-o", "out", "--lights", "3"},
+                                                  {"reproduce", "all", "-o", "out", "--executor", "trace"}}) {
+        const CommandResult run = runLixel(words, options);
+        EXPECT_EQ(run.exitCode, 2);
+        EXPECT_NE(run.err.find("reproduce all"), std::string::npos) << run.err;
+        EXPECT_FALSE(fs::exists(folder.path() / "out"));
+    }
+}
+
+// A quarter of an hour.
+TEST(ReproduceAll, RunsEveryExperimentIntoAFolderOfItsName)
+{
+    if (!isThorough()) GTEST_SKIP() << "with scripts/test --thorough";
+    TemporaryFolder folder;
+    CommandOptions options;
+    options.folder = folder.path();
+    if (const std::string missing = missingGraphics(folder.path()); !missing.empty()) GTEST_SKIP() << missing;
+    const CommandResult run = runLixel({"reproduce", "all", "--quick", "-o", "out"}, options);
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const fs::path out = folder.path() / "out";
+    const std::string text = readWhole(out / "results.json");
+    EXPECT_EQ(schemaError(text, "reproductions.schema.json"), "");
+    const Json all = Json::parse(text);
+    EXPECT_EQ(all.at("experiments").size(), 11u);
+    EXPECT_TRUE(fs::exists(out / "report.html"));
+    for (const Json& experiment : all.at("experiments"))
+        EXPECT_TRUE(fs::exists(out / experiment.at("name").get<std::string>() / "report.html")) << experiment;
 }
 
 } // namespace

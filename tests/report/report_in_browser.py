@@ -289,6 +289,9 @@ def experiment_shows(page):
     """The paper's numbers, and its figures with what is enlarged."""
     if page.run("return !run.reproduction"):
         return
+    said = page.run("return document.getElementById('claims-table').innerText")
+    for part in ("Discs cast <round> shadows.", "1.5 (corners a shadow)", "no", "yes"):
+        check(part in said, f"the page's claims have {part}")
     told = page.run("return document.getElementById('numbers-table').innerText")
     missing = page.run("return [...run.reproduction.numbers, ...run.reproduction.timing.numbers]"
                        ".map(number => number.key).filter(key => !arguments[0].includes(key))", told)

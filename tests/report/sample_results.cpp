@@ -234,8 +234,13 @@ Observation anyObservation(int size)
 
 Reproduction sampleReproduction(const fs::path& folder, int size)
 {
-    Reproduction out{
-        "shadows-of-discs", "A. Author. A Paper. 2004, Table 1", "Which is better?", true, {}, {}, {}, {}, {}, {}};
+    Reproduction out;
+    out.name = "shadows-of-discs";
+    out.paper = "A. Author. A Paper. 2004, Table 1";
+    out.question = "Which is better?";
+    out.isQuick = true;
+    out.claims = {{"Discs cast <round> shadows.", "section 2", "1.5 (corners a shadow)", false, false},
+                  {"They are fast.", "section 3", "290 (frames a second)", true, true}};
     out.run = makeRun(folder, size);
     out.parameters = {{"size", std::to_string(size)}, {"view", "front"}};
     out.numbers = {{"uniform over focused", "ratio", 2.5, 2.25, "Table 1"},

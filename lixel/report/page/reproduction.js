@@ -16,6 +16,11 @@ function showReproduction() {
     ...(numbers.some(number => number.papers !== null) ? [column("Paper", "papers", numberText)] : []),
     column("Unit", "unit"), {...column("In the paper", "source"), className: "message"},
   ], numbers, true));
+  const claims = [...experiment.claims, ...experiment.timing.claims];
+  byId("claims-table").replaceChildren(...claims.length ? [sortableTable("What the paper says", [
+    {...column("The paper", "sentence"), className: "message"}, column("Where", "source"),
+    {...column("Measured", "measured"), className: "message"}, column("Holds", "holds", holds => holds ? "yes" : "no"),
+  ], claims, true)] : []);
   byId("reproduced-tables").replaceChildren(...experiment.tables.flatMap(makeTable));
   byId("figures").replaceChildren(...experiment.figures.map(makeFigure));
 }
