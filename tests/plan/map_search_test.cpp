@@ -56,21 +56,28 @@ bool areBefore(const std::vector<Vec3d>& corners, Vec3d w)
     return least > 1e-4 * most;
 }
 
-// By central differences of h. Nothing where two steps do not agree: widths have kinks, and one of them is that near.
+// By central differences of h. Nothing where two steps, or the two sides of one, do not agree: widths have kinks, and one of them is
+// that near.
 template <typename Energy>
 std::optional<Vec3d> gradientWithW(const Energy& h, const PlaneWarp& P)
 {
+    const double here = h(P);
+    double bend = 0; // of the slope, from one side to the other
     const auto by = [&](double step) {
         Vec3d gradient;
+        bend = 0;
         for (const Vec3d e : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
             PlaneWarp before = P, after = P;
             before.w = P.w - step * e, after.w = P.w + step * e;
-            gradient = gradient + ((h(after) - h(before)) / (2 * step)) * e;
+            const double above = h(after), below = h(before);
+            gradient = gradient + ((above - below) / (2 * step)) * e;
+            bend = std::max(bend, std::abs(above + below - 2 * here) / step);
         }
         return gradient;
     };
     const Vec3d coarse = by(1e-6), fine = by(2e-7);
-    return length(coarse - fine) < 1e-5 * length(fine) ? std::optional(fine) : std::nullopt;
+    const bool isSmooth = length(coarse - fine) < 1e-5 * length(fine) && bend < 1e-4 * length(fine);
+    return isSmooth ? std::optional(fine) : std::nullopt;
 }
 
 // Algorithm 1, step 4, line by line. Nothing where the gradient is not to be had.
