@@ -15,6 +15,7 @@ LX_SHARED_BEGIN
 struct LxReceiver
 {
     vec2 lixel;         // continuous, warped: where it is in the map
+    vec2 unwarped;      // the same before the warp
     vec2 at;            // continuous, unwarped lixel of `depth`: its own, but for what lies on the region's plane
     float depth;        // reversed: 1 near, 0 far
     vec2 depthPerLixel; // of the receiver's plane, which is linear in unwarped lixels
@@ -114,6 +115,7 @@ LX_KNOTS_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 n
                   r.lixel.x < region.serves.z && r.lixel.y < region.serves.w && r.depth >= -LX_ROUNDING * errorZ;
     r.isInside = inside ? 1.0f : 0.0f;
     r.slack = isEdgeOn ? steepest : LX_ROUNDING * (errorZ + abs(gx) * errorX + abs(gy) * errorY);
+    r.unwarped = r.lixel;
     r.at = r.lixel;
     r.warp = region.warp;
     r.margin = LX_HALF_LIXEL + LX_SNAP;
@@ -153,7 +155,7 @@ LX_KNOTS_FN float lxPlaneDepth(LxReceiver r, vec2 place LX_KNOTS)
 {
     vec2 ray = place;
 #ifndef LIXEL_NO_WARP
-    if (r.warp.kind.x != LX_WARP_NONE) ray = lxUnwarpedLixel(r.warp, place LX_PASS_KNOTS);
+    if (r.warp.kind.x != LX_WARP_NONE) ray = lxUnwarpedLixelNear(r.warp, place, r.unwarped LX_PASS_KNOTS);
 #endif
     return r.depth + r.depthPerLixel.x * (ray.x - r.at.x) + r.depthPerLixel.y * (ray.y - r.at.y);
 }

@@ -121,26 +121,78 @@ LX_KNOTS_FN LxAlongLine lxAlongLine(LxWarpLines l, int cells, float along LX_KNO
     return a;
 }
 
+// Knots of a line around a value: lowValue <= value < highValue.
+struct LxKnotRange
+{
+    int low;
+    int high;
+    float lowValue;
+    float highValue;
+};
+
+// All of the line.
+LX_FN LxKnotRange lxWholeLine(int cells)
+{
+    LxKnotRange r;
+    r.low = 0;
+    r.high = cells;
+    r.lowValue = 0.0f;
+    r.highValue = 1.0f;
+    return r;
+}
+
+// A small range, by ever longer steps from the cell of a place that the value's is expected to be near.
+LX_KNOTS_FN LxKnotRange lxKnotsNear(LxWarpLines l, int cells, float value, float start LX_KNOTS)
+{
+    LxKnotRange r;
+    r.low = int(clamp(floor(start * float(cells)), 0.0f, float(cells) - 1.0f));
+    r.high = r.low + 1;
+    r.lowValue = r.low > 0 ? lxKnotBetween(l, r.low LX_PASS_KNOTS) : 0.0f;
+    r.highValue = r.high < cells ? lxKnotBetween(l, r.high LX_PASS_KNOTS) : 1.0f;
+    for (int step = 1; r.lowValue > value; step *= 2) {
+        r.high = r.low;
+        r.highValue = r.lowValue;
+        r.low = max(r.low - step, 0);
+        r.lowValue = r.low > 0 ? lxKnotBetween(l, r.low LX_PASS_KNOTS) : 0.0f;
+    }
+    for (int step = 1; r.highValue <= value; step *= 2) {
+        r.low = r.high;
+        r.lowValue = r.highValue;
+        r.high = min(r.high + step, cells);
+        r.highValue = r.high < cells ? lxKnotBetween(l, r.high LX_PASS_KNOTS) : 1.0f;
+    }
+    return r;
+}
+
+// Where the function of one axis has a value between 0 and 1, that its knots of a range are around.
+LX_KNOTS_FN float lxWhereInRange(LxWarpLines l, int cells, float value, LxKnotRange r LX_KNOTS)
+{
+    while (r.high - r.low > 1) {
+        int middle = (r.low + r.high) / 2;
+        float at = lxKnotBetween(l, middle LX_PASS_KNOTS);
+        if (at <= value) {
+            r.low = middle;
+            r.lowValue = at;
+        } else {
+            r.high = middle;
+            r.highValue = at;
+        }
+    }
+    return (float(r.low) + clamp((value - r.lowValue) / (r.highValue - r.lowValue), 0.0f, 1.0f)) / float(cells);
+}
+
 // Where the function of one axis has a value: its inverse. Outside [0, 1] the identity.
 LX_KNOTS_FN float lxWhereAlongLine(LxWarpLines l, int cells, float value LX_KNOTS)
 {
     if (!(value > 0.0f) || !(value < 1.0f)) return value;
-    int low = 0;
-    int high = cells;
-    float lowValue = 0.0f;
-    float highValue = 1.0f;
-    while (high - low > 1) {
-        int middle = (low + high) / 2;
-        float at = lxKnotBetween(l, middle LX_PASS_KNOTS);
-        if (at <= value) {
-            low = middle;
-            lowValue = at;
-        } else {
-            high = middle;
-            highValue = at;
-        }
-    }
-    return (float(low) + clamp((value - lowValue) / (highValue - lowValue), 0.0f, 1.0f)) / float(cells);
+    return lxWhereInRange(l, cells, value, lxWholeLine(cells) LX_PASS_KNOTS);
+}
+
+// The same, found sooner where it is near a place.
+LX_KNOTS_FN float lxWhereAlongLineNear(LxWarpLines l, int cells, float value, float start LX_KNOTS)
+{
+    if (!(value > 0.0f) || !(value < 1.0f)) return value;
+    return lxWhereInRange(l, cells, value, lxKnotsNear(l, cells, value, start LX_PASS_KNOTS) LX_PASS_KNOTS);
 }
 
 // A point of the square, warped, and the derivatives of where it comes to.
@@ -170,6 +222,14 @@ LX_KNOTS_FN vec2 lxUnwarped(ShadowWarp warp, vec2 at LX_KNOTS)
     return vec2(x, y);
 }
 
+// The same, found sooner where that is near another point.
+LX_KNOTS_FN vec2 lxUnwarpedNear(ShadowWarp warp, vec2 at, vec2 start LX_KNOTS)
+{
+    float y = lxWhereAlongLineNear(lxColumnLines(warp, at.x), int(warp.grid.z), at.y, start.y LX_PASS_KNOTS);
+    float x = lxWhereAlongLineNear(lxRowLines(warp, y), int(warp.grid.y), at.x, start.x LX_PASS_KNOTS);
+    return vec2(x, y);
+}
+
 // The two in lixels of the region's layer.
 LX_FN vec2 lxInSquare(ShadowWarp warp, vec2 lixel)
 {
@@ -196,6 +256,12 @@ LX_KNOTS_FN LxWarped lxWarpedLixel(ShadowWarp warp, vec2 lixel LX_KNOTS)
 LX_KNOTS_FN vec2 lxUnwarpedLixel(ShadowWarp warp, vec2 lixel LX_KNOTS)
 {
     return lxOfSquare(warp, lxUnwarped(warp, lxInSquare(warp, lixel) LX_PASS_KNOTS));
+}
+
+LX_KNOTS_FN vec2 lxUnwarpedLixelNear(ShadowWarp warp, vec2 lixel, vec2 start LX_KNOTS)
+{
+    vec2 at = lxUnwarpedNear(warp, lxInSquare(warp, lixel), lxInSquare(warp, start) LX_PASS_KNOTS);
+    return lxOfSquare(warp, at);
 }
 
 LX_SHARED_END

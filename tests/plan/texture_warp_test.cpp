@@ -74,6 +74,19 @@ TEST(TextureWarp, WhatIsWarpedComesBackWhenItIsUnwarped)
     });
 }
 
+TEST(TextureWarp, WhereASearchBeginsIsNothing)
+{
+    forEachCase(test::kCases, [](Rng& rng) {
+        const Read read = anyRead(rng);
+        for (int i = 0; i < 20; ++i) {
+            const shared::vec2 at = anyPoint(rng), near{float(rng.uniform(-0.5, 1.5)), float(rng.uniform(-0.5, 1.5))};
+            const shared::vec2 back = read.back(at),
+                               sooner = shared::lxUnwarpedNear(read.row, at, near, knotsOf(read.warp));
+            EXPECT_EQ(distance(sooner, back), 0);
+        }
+    });
+}
+
 TEST(TextureWarp, EvenStepsAreTheIdentity)
 {
     forEachCase(test::kCases / 10, [](Rng& rng) {
