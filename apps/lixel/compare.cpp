@@ -71,8 +71,9 @@ std::string temporalColumns(const Measurement& m)
 
 std::string shadeColumns(const ShadeQuality& shades)
 {
-    return fmt::format("{:>7} {:>10.2f} {:>10.4f} {:>13}", shades.distinct, shades.transitionPixels, shades.area.rmse,
-                       shades.filtered ? fmt::format("{:.4f}", shades.filtered->rmse) : "");
+    return fmt::format("{:>7} {:>10.2f} {:>10.4f} {:>13} {:>10}", shades.distinct, shades.transitionPixels,
+                       shades.area.rmse, shades.filtered ? fmt::format("{:.4f}", shades.filtered->rmse) : "",
+                       fmt::format("{:.4f} %", shades.bleedingPercent));
 }
 
 void printSummary(const RunResults& results, bool isPath, std::FILE* to)
@@ -82,10 +83,10 @@ void printSummary(const RunResults& results, bool isPath, std::FILE* to)
     fmt::print(to, "{:<24} {:<14} {:<34} {:<6} {:>14} {:>12} {:>10}", "view", "light", "technique", "by",
                "misclassified", "interior", "frame");
     fmt::print(to, "{}\n",
-               isPath ? fmt::format(" {:>12} {:>14} {:>14}", "flips", "footprint p50", "footprint p90")
-               : hasShades
-                   ? fmt::format(" {:>7} {:>10} {:>10} {:>13}", "shades", "transition", "area RMSE", "filtered RMSE")
-                   : "");
+               isPath      ? fmt::format(" {:>12} {:>14} {:>14}", "flips", "footprint p50", "footprint p90")
+               : hasShades ? fmt::format(" {:>7} {:>10} {:>10} {:>13} {:>10}", "shades", "transition", "area RMSE",
+                                         "filtered RMSE", "bleeding")
+                           : "");
     for (const ResultRow& row : results.rows) {
         fmt::print(to, "{:<24} {:<14} {:<34} {:<6} ", row.view, row.light, row.technique, row.executor);
         if (const Refusal* refusal = row.refused()) {

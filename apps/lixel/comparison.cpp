@@ -178,14 +178,14 @@ std::vector<ResultRow> rowsOf(const ShotContext& context, Executor& executor, co
                               std::span<const Visibility> visibility, const FramePlan* plan)
 {
     const PictureWriter pictures(context, choice, executor.name());
-    const bool servesAny = !plan || plan->layers > 0;
+    const bool servesAny = !plan || plan->layers > 0, hasMaps = hasMap(choice.technique);
     std::string shaded;
     if (pictures.isWanted() && servesAny)
         shaded = pictures.write(
             executor.shade(context.stage, context.view, context.shot.lights, context.samples, visibility), "shaded");
     RowTiming timing;
     const int frames = context.options.timingFrames;
-    if (plan && servesAny && frames > 0) timing = executor.time(context.stage, *plan, context.view, frames);
+    if (hasMaps && servesAny && frames > 0) timing = executor.time(context.stage, *plan, context.view, frames);
     if (std::holds_alternative<ShadowVolumesTechnique>(choice.technique) && frames > 0)
         timing = executor.timeVolumes(context.stage, context.view, context.shot.lights, frames, false);
 
@@ -198,14 +198,14 @@ std::vector<ResultRow> rowsOf(const ShotContext& context, Executor& executor, co
             continue;
         }
         Measurement m = measured(context, light, visibility[light]);
-        if (plan) addCauses(context, *plan, light, visibility[light], m);
+        if (hasMaps) addCauses(context, *plan, light, visibility[light], m);
         m.timing = timing;
         m.pictures.shaded = shaded;
         const std::string lightName = fmt::format("{}-{}", light, slug(row.light));
         if (pictures.isWanted())
             m.pictures.error =
                 pictures.write(errorPicture(verdicts(context, light, visibility[light])), lightName + "-error");
-        if (plan) addMap(context, *plan, light, pictures, lightName, m);
+        if (hasMaps) addMap(context, *plan, light, pictures, lightName, m);
         if (!context.truth.partial.empty()) m.shades = shadeQuality(context, visibility[light], plan, light);
         row.outcome = std::move(m);
     }
@@ -231,11 +231,11 @@ void addAgreement(const ShotContext& context, std::vector<ResultRow>& rows,
 }
 
 Expected<std::vector<Visibility>, Refusal> withoutMap(const ShotContext& context, const Technique& technique,
-                                                      Executor& executor)
+                                                      Executor& executor, const FramePlan* plan)
 {
     if (!std::holds_alternative<ExactTechnique>(technique))
         return visibilityWithoutMap(technique, executor, context.stage, context.view, context.samples,
-                                    context.shot.lights);
+                                    context.shot.lights, plan);
     std::vector<Visibility> out;
     for (const std::vector<float>& exact : context.truth.exact) out.push_back({exact, {}});
     return out;
@@ -256,19 +256,21 @@ std::vector<ResultRow> rowsOfAll(const ShotContext& context, std::span<const std
 {
     const PlanSubject subject{context.stage, context.view, context.shot.lights, context.shooting.planes,
                               context.samples};
-    const auto plan = planFor(choice, subject, context.options.lixels, *executors.front(), context.options.memory);
+    const auto planned = planFor(choice, subject, context.options.lixels, *executors.front(), context.options.memory);
+    const FramePlan* const plan = planned ? &*planned : nullptr;
     std::vector<ResultRow> rows;
     std::vector<std::vector<Visibility>> visibility;
     for (const auto& executor : executors) {
         onStep(fmt::format("{}: {} ({})", context.shot.name, choice.typed, executor->name()));
         // Rays say the same for all executors.
+        const bool hasMaps = hasMap(choice.technique);
         const bool isKnown =
-            !visibility.empty() && !plan && !std::holds_alternative<ShadowVolumesTechnique>(choice.technique);
-        Expected<std::vector<Visibility>, Refusal> answer = plan ? executor->run(context.stage, *plan, context.samples)
-                                                            : isKnown
-                                                                ? visibility.front()
-                                                                : withoutMap(context, choice.technique, *executor);
-        std::vector<ResultRow> some = answer ? rowsOf(context, *executor, choice, *answer, plan ? &*plan : nullptr)
+            !visibility.empty() && !hasMaps && !std::holds_alternative<ShadowVolumesTechnique>(choice.technique);
+        Expected<std::vector<Visibility>, Refusal> answer =
+            hasMaps   ? executor->run(context.stage, *plan, context.samples)
+            : isKnown ? visibility.front()
+                      : withoutMap(context, choice.technique, *executor, plan);
+        std::vector<ResultRow> some = answer ? rowsOf(context, *executor, choice, *answer, plan)
                                              : refusedRows(context, choice, *executor, answer.error());
         visibility.push_back(answer ? std::move(answer).value() : std::vector<Visibility>(context.shot.lights.size()));
         rows.insert(rows.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));

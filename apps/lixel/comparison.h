@@ -25,10 +25,11 @@ struct ComparisonOptions
     std::size_t footprintStep = 1;  // footprints are of one sample in so many; with pictures of all
     PlanMemory memory = {};         // what plans know of the frame before
     bool withShades = false;        // compareShot() asks for partial truth
+    int filterRays = 16;            // a side of a filter's footprint
     std::filesystem::path pictures; // folder for PNGs; empty: none
 };
 
-// Samples of the edge band of one light, and the share of the pixel around each that is lit (exact-area).
+// Samples of the edge band of one light, all or some, and the share of the pixel around each that is lit (exact-area).
 struct PartialTruth
 {
     std::vector<std::size_t> band; // of the shot's samples
@@ -99,7 +100,7 @@ Density densityOf(const ShotContext& context, const ShadowPlan& plan, std::size_
 // Nothing of nothing.
 std::optional<Percentiles> percentiles(std::vector<double> values);
 
-// The rows of one technique by one executor, with pictures and times: one a light. `plan`: null without a map.
+// The rows of one technique by one executor, with pictures and times: one a light. `plan` is planFor() of it, or null.
 std::vector<ResultRow> rowsOf(const ShotContext& context, Executor& executor, const TechniqueChoice& choice,
                               std::span<const Visibility> visibility, const FramePlan* plan);
 

@@ -75,6 +75,7 @@ private:
     // Of one executor, technique and frame.
     struct Said
     {
+        bool isOfMaps = false;
         std::vector<Visibility> ofSamples, ofFollowed; // [light]
     };
 
@@ -167,9 +168,10 @@ PathComparison::Said PathComparison::ask(Executor& executor, const TechniqueChoi
         }
         return said;
     }
-    Said said;
-    const auto answer = plan ? executor.run(*now.stage, *plan, all)
-                             : visibilityWithoutMap(choice.technique, executor, *now.stage, now.view, all, lights);
+    Said said{hasMap(choice.technique), {}, {}};
+    const auto answer =
+        said.isOfMaps ? executor.run(*now.stage, *plan, all)
+                      : visibilityWithoutMap(choice.technique, executor, *now.stage, now.view, all, lights, plan);
     for (const Visibility& one : *answer) {
         const bool isThere = !one.value.empty(); // else its light was refused
         said.ofSamples.push_back(isThere ? part(one, 0, now.samples.size()) : Visibility{});
@@ -189,7 +191,7 @@ void PathComparison::addTechnique(const ShotContext& context, std::size_t techni
     for (std::size_t e = 0; e < executors_.size(); ++e) {
         Executor& executor = *executors_[e];
         onStep_(nameOf(number, fmt::format("{} ({})", choice.typed, executor.name())));
-        if (!plan && e > 0) said.push_back(said.front()); // rays do not depend on the executor
+        if (e > 0 && !said.front().isOfMaps) said.push_back(said.front()); // rays do not depend on the executor
         else said.push_back(ask(executor, choice, planOrNull, now, followed, all, context.shot.lights));
         for (std::size_t light = 0; light < lights_; ++light) {
             PathRow& row = rowOf(technique, e, light);
@@ -225,7 +227,7 @@ void PathComparison::addLight(PathRow& row, const ShotContext& context, std::siz
         return;
     }
     row.add(measured(context, light, said.ofSamples[light]));
-    if (plan) {
+    if (said.isOfMaps) {
         row.addMap(std::int64_t(plan->lixelsOf(light)), plan->lookup.bytesPerLixel);
         row.add(densityOf(context, plan->lights[light], light, number, path_.frames.size()));
     }

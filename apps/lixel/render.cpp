@@ -43,7 +43,7 @@ struct Picture
     std::span<const NamedPlane> planes;
     View view;
     ViewSamples samples;
-    std::optional<FramePlan> plan;      // of a technique with a map
+    std::optional<FramePlan> plan;      // planFor()
     std::vector<Visibility> visibility; // one a light
 };
 
@@ -61,17 +61,17 @@ void addShadows(Picture& picture, Executor& executor, const TechniqueChoice& cho
     const auto& lights = picture.shot.lights;
     picture.plan =
         planFor(choice, {picture.stage, picture.view, lights, picture.planes, picture.samples}, lixels, executor);
-    if (!picture.plan) {
-        auto visibility =
-            visibilityWithoutMap(choice.technique, executor, picture.stage, picture.view, picture.samples, lights);
+    if (picture.plan) expectPlanned(*picture.plan, choice, lights);
+    if (hasMap(choice.technique)) {
+        picture.visibility = executor.run(picture.stage, *picture.plan, picture.samples);
+    } else {
+        auto visibility = visibilityWithoutMap(choice.technique, executor, picture.stage, picture.view, picture.samples,
+                                               lights, picture.plan ? &*picture.plan : nullptr);
         if (!visibility)
             throw RefusedError(fmt::format("{} is refused: {} ({})", choice.typed, visibility.error().message,
                                            visibility.error().reason));
         picture.visibility = std::move(visibility).value();
-        return;
     }
-    expectPlanned(*picture.plan, choice, lights);
-    picture.visibility = executor.run(picture.stage, *picture.plan, picture.samples);
     for (Visibility& light : picture.visibility) light.value.resize(picture.samples.size(), 0.0f);
 }
 
@@ -180,8 +180,7 @@ int runRender(const RenderOptions& options)
 {
     const std::vector<TechniqueChoice> technique = readTechniques(options.technique);
     if (technique.size() != 1) throw UsageError("--technique: one technique is expected; lixel compare takes several");
-    if ((options.withFootprint || options.withDensity || !options.plan.empty()) &&
-        !std::holds_alternative<MapTechnique>(technique.front().technique))
+    if ((options.withFootprint || options.withDensity || !options.plan.empty()) && !hasMap(technique.front().technique))
         throw UsageError(fmt::format("--footprint, --density and --plan: \"{}\" has no map", options.technique));
     const LixelBudget lixels = readBudget(options.lixels, "--lixels", kMostLixelsASide);
     checkOptions(options);

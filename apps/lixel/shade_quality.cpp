@@ -31,14 +31,15 @@ TruthError against(std::span<const float> values, std::span<const float> truth)
 } // namespace
 
 std::vector<PartialTruth> findPartialTruth(const Stage& stage, const View& view, const ViewSamples& samples,
-                                           std::span<const Light> lights, const Truth& truth)
+                                           std::span<const Light> lights, const Truth& truth, std::size_t step)
 {
     std::vector<PartialTruth> out;
     for (std::size_t light = 0; light < lights.size(); ++light) {
         PartialTruth& partial = out.emplace_back();
         const std::vector<Zone>& zones = truth.zones[light];
+        std::size_t met = 0;
         for (std::size_t i = 0; i < zones.size(); ++i)
-            if (zones[i] == Zone::EdgeBand) partial.band.push_back(i);
+            if (zones[i] == Zone::EdgeBand && met++ % step == 0) partial.band.push_back(i);
         partial.samples = samplesOf(samples, partial.band);
         partial.area = exactArea(*stage.traced, view, partial.samples, lights[light], kAreaRays);
     }
@@ -63,11 +64,13 @@ ShadeQuality shadeQuality(const ShotContext& context, const Visibility& visibili
     quality.distinct = shades.distinct;
     quality.transitionPixels = shades.transitionPixels();
     quality.bleedingPercent = shades.bleedingPercent();
+    quality.darkInterior = {shades.darkInterior, shades.litDarkInterior};
     quality.area = against(values, truth.area);
-    if (!plan) return quality;
+    if (!plan || !whyNoShare(plan->lookup).empty()) return quality;
     quality.filterLixels = filterSide(plan->lookup);
-    const std::vector<float> filtered = exactFiltered(*context.stage.traced, plan->lights[light], truth.samples,
-                                                      context.shot.lights[light], *quality.filterLixels, kFilterRays);
+    const std::vector<float> filtered =
+        exactFiltered(*context.stage.traced, plan->lights[light], truth.samples, context.shot.lights[light],
+                      *quality.filterLixels, context.options.filterRays);
     quality.filtered = against(values, filtered);
     return quality;
 }

@@ -2,13 +2,17 @@
 #include "shadows.h"
 
 #include "exit_code.h"
+#include "lixel/base/assert.h"
+#include "lixel/plan/lookup/lookup.h"
 #include "lixel/plan/observe.h"
 #include "lixel/plan/warp/light_view.h"
 #include "lixel/trace/exact_area.h"
+#include "lixel/trace/exact_filtered.h"
 #include "lixel/trace/exact_visibility.h"
 #include "plan_file.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -18,7 +22,7 @@ namespace {
 
 std::vector<GivenLight> readGiven(const Technique& technique)
 {
-    const auto* map = std::get_if<MapTechnique>(&technique);
+    const MapTechnique* map = mapsOf(technique);
     if (!map) return {};
     if (const auto* matrix = std::get_if<MatrixFit>(&map->fit)) return readPlanFile(matrix->file, false);
     if (const auto* plan = std::get_if<PlanFit>(&map->fit)) return readPlanFile(plan->file, true);
@@ -98,7 +102,7 @@ void expectPlanes(std::span<const TechniqueChoice> techniques, const Shooting& s
     std::string known;
     for (const NamedPlane& plane : shooting.planes) known += (known.empty() ? "" : ", ") + oneLine(plane.name);
     for (const TechniqueChoice& choice : techniques) {
-        const auto* map = std::get_if<MapTechnique>(&choice.technique);
+        const MapTechnique* map = mapsOf(choice.technique);
         const auto* planes = map ? std::get_if<PlanesPartition>(&map->partition) : nullptr;
         if (!planes) continue;
         for (const std::string& name : planes->names)
@@ -112,7 +116,7 @@ void expectPlanes(std::span<const TechniqueChoice> techniques, const Shooting& s
 std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubject& subject, const LixelBudget& lixels,
                                  Executor& executor, const PlanMemory& memory)
 {
-    const auto* map = std::get_if<MapTechnique>(&choice.technique);
+    const MapTechnique* map = mapsOf(choice.technique);
     if (!map) return std::nullopt;
     PlanInput input = inputFor(*map, choice, subject, lixels);
     const auto first = firstPassOf(*map, lixels.total);
@@ -145,7 +149,7 @@ std::optional<WarpLayout> warpLayoutFor(const TechniqueChoice& choice, const Pla
 PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, const FramePlan& plan,
                     std::span<const Visibility> visibility)
 {
-    const auto* map = std::get_if<MapTechnique>(&choice.technique);
+    const MapTechnique* map = mapsOf(choice.technique);
     const auto first = map ? firstPassOf(*map, {1, 1}) : std::nullopt;
     if (!first) return {};
     std::vector<Visibility> all(visibility.begin(), visibility.end());
@@ -158,15 +162,21 @@ PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, c
 Expected<std::vector<Visibility>, Refusal> visibilityWithoutMap(const Technique& technique, Executor& executor,
                                                                 const Stage& stage, const View& view,
                                                                 const ViewSamples& samples,
-                                                                std::span<const Light> lights)
+                                                                std::span<const Light> lights, const FramePlan* plan)
 {
     if (std::holds_alternative<ShadowVolumesTechnique>(technique))
         return executor.shadowVolumes(stage, view, lights, samples);
-    std::vector<Visibility> out;
-    for (const Light& light : lights) {
-        if (const auto* area = std::get_if<ExactAreaTechnique>(&technique))
-            out.push_back({exactArea(*stage.traced, view, samples, light, area->samples), {}});
-        else out.push_back({exactVisibility(*stage.traced, samples, light), {}});
+    const auto* area = std::get_if<ExactAreaTechnique>(&technique);
+    const auto* filtered = std::get_if<ExactFilteredTechnique>(&technique);
+    LX_ASSERT(!filtered || plan);
+    std::vector<Visibility> out(lights.size());
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const TraceScene& scene = *stage.traced;
+        if (area) out[i].value = exactArea(scene, view, samples, lights[i], area->samples);
+        else if (!filtered) out[i].value = exactVisibility(scene, samples, lights[i]);
+        else if (!plan->lights[i].refused)
+            out[i].value = exactFiltered(scene, plan->lights[i], samples, lights[i], filterSide(plan->lookup),
+                                         int(std::lround(std::sqrt(double(filtered->rays)))));
     }
     return out;
 }

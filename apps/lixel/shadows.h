@@ -45,7 +45,7 @@ struct PlanMemory
     std::optional<Observation> observed; // of the frame before; nothing at the start
 };
 
-// The plan of a technique with a map, for all lights; nothing for the others. Where memory has nothing observed, the executor runs the
+// The plan of a technique with a map, for all lights, or of the maps that exact-filtered stands for; nothing for the others. Where memory has nothing observed, the executor runs the
 // first pass of techniques that have one.
 std::optional<FramePlan> planFor(const TechniqueChoice& choice, const PlanSubject& subject, const LixelBudget& lixels,
                                  Executor& executor, const PlanMemory& memory = {});
@@ -58,11 +58,12 @@ std::optional<WarpLayout> warpLayoutFor(const TechniqueChoice& choice, const Pla
 PlanMemory memoryOf(const TechniqueChoice& choice, const PlanSubject& subject, const FramePlan& plan,
                     std::span<const Visibility> visibility);
 
-// What a technique without a map says, one a light. Rays are the same for all executors; shadow volumes may be refused.
+// What a technique without a map says, one a light. Rays are the same for all executors; shadow volumes may be refused. `plan` is
+// planFor() of the technique, or null: a light that it refuses has an empty one.
 Expected<std::vector<Visibility>, Refusal> visibilityWithoutMap(const Technique& technique, Executor& executor,
                                                                 const Stage& stage, const View& view,
                                                                 const ViewSamples& samples,
-                                                                std::span<const Light> lights);
+                                                                std::span<const Light> lights, const FramePlan* plan);
 
 // Footprints in the light image that serves a point: of the first region that holds it. The plan must outlive it.
 class ServedFootprints

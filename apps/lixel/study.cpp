@@ -38,6 +38,12 @@ void addOptions(CLI::App& app, const Study& study, StudyOptions& o)
     } else if (study.cases == StudiedCases::Pictures) {
         addPictureOptions(app, o.picture);
         app.add_option("--lixels", o.lixels, "lixels of a light, in all")->capture_default_str();
+    } else if (study.cases == StudiedCases::Views) {
+        app.add_option("--count", o.count, "views of each scene, at most")->check(CLI::Range(1, 1000));
+        app.add_flag("--quick", o.isQuick, "a view of each scene, small, the same question");
+        app.add_option("--timing-frames", o.timingFrames, "frames of each that are timed; 0: none")
+            ->check(CLI::Range(0, 1000))
+            ->capture_default_str();
     } else {
         if (study.cases == StudiedCases::Lights)
             app.add_option("--lights", o.count, "how many lights")->check(CLI::Range(1, kMostLights));
@@ -77,7 +83,7 @@ int listOrRefuse(const std::string& name)
 
 std::span<const Study> studies()
 {
-    static const std::array<Study, 7> kAll{{
+    static const std::array<Study, 8> kAll{{
         {"one-to-one",
          "How far from the pixel that sees a point of the plane is the lixel that samples it, in plane-optimal maps?",
          StudiedCases::Counted, false, studyOneToOne},
@@ -96,6 +102,10 @@ std::span<const Study> studies()
          StudiedCases::Lights, false, studySceneOptimalSensitivity},
         {"warps", "How do the errors of texture warps change with each of their parameters, and how even are they?",
          StudiedCases::Pictures, false, studyWarps},
+        {"lookups",
+         "What do the errors of every lookup cost in bytes and in time, over the built-in scenes, and which does none "
+         "beat?",
+         StudiedCases::Views, true, studyLookups},
     }};
     return kAll;
 }

@@ -19,6 +19,8 @@ struct StudyOptions
     std::string output;      // folder for results.json and report.html, or empty
     std::string commandLine; // repeats the run
 
+    int timingFrames = 5; // of studies of views
+
     // Of studies of a scene.
     PictureOptions picture;
     std::string tolerance, technique = "scene-optimal";
@@ -28,6 +30,7 @@ struct StudyOptions
 // What a study is asked of; its options follow from that.
 enum class StudiedCases : std::uint8_t {
     Counted, // --count, --quick, --seed
+    Views,   // --count of the views of each built-in scene, --quick, --timing-frames
     Lights,  // --lights, --quick, --seed
     Scene,   // SCENE and what chooses its pictures, --tolerance, --technique
     Pictures // SCENE and what chooses its pictures, --lixels
@@ -53,5 +56,6 @@ int studyResolution(const StudyOptions& options);
 int studySceneOptimalSensitivity(const StudyOptions& options);
 int studySceneOptimalMetrics(const StudyOptions& options);
 int studyWarps(const StudyOptions& options);
+int studyLookups(const StudyOptions& options);
 
 } // namespace lixel::app

@@ -71,6 +71,7 @@ Shades shadesOf(const ViewSamples& samples, std::span<const Zone> zones, std::sp
         if (zones[i] != Zone::Interior || exactVisibility[i] >= 0.5f) continue;
         ++out.darkInterior;
         out.lightInDarkInterior += double(visibility[i]);
+        out.litDarkInterior += visibility[i] >= 0.5f;
     }
     out.distinct = std::int64_t(shades.size());
     out.boundaryPixels = boundaryLength(exactPicture(samples, zones, exactVisibility));

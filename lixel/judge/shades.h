@@ -27,8 +27,9 @@ struct Shades
     std::int64_t inTransition = 0; // light-facing samples between 5 and 95 % lit
     double boundaryPixels =
         0; // length of the boundaries of exact visibility (score.h), in the mean over their directions
-    std::int64_t darkInterior = 0;  // interior samples that are exactly dark, and ...
-    double lightInDarkInterior = 0; // the sum of their visibility: light that bleeds through
+    std::int64_t darkInterior = 0;    // interior samples that are exactly dark, and ...
+    double lightInDarkInterior = 0;   // the sum of their visibility: light that bleeds through
+    std::int64_t litDarkInterior = 0; // of them, those that are lit when rounded: false lit far from any edge
 
     // Samples in transition per pixel of boundary; 0 without boundaries.
     double transitionPixels() const { return boundaryPixels > 0 ? double(inTransition) / boundaryPixels : 0; }

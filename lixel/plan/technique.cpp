@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/technique.h"
 
+#include "lixel/plan/exact_words.h"
 #include "lixel/plan/lookup/lookup_words.h"
 #include "lixel/plan/partition/planes.h"
 #include "lixel/plan/technique_presets.h"
@@ -18,28 +19,12 @@
 namespace lixel {
 namespace {
 
-// The only argument of a word, `n = 4` and `4` alike, or its default where there is none.
-std::optional<int> onlyInteger(const Word& word, std::string_view key, int standard)
-{
-    if (word.arguments.empty()) return standard;
-    Arguments arguments(word);
-    const auto text = arguments.take(key, true);
-    if (!text || !arguments.areAllTaken()) return std::nullopt;
-    return readInteger(*text);
-}
-
 std::string knownWords()
 {
     std::string names;
     for (const TechniqueWord& word : techniqueWords())
         names += (names.empty() ? "" : ", ") + std::string(word.form.substr(0, word.form.find_first_of("(=")));
     return names;
-}
-
-bool isSquare(int n)
-{
-    const int root = int(std::lround(std::sqrt(double(n))));
-    return root * root == n;
 }
 
 // What one word sets; at most one of each kind.
@@ -184,20 +169,9 @@ Answer takeLookupWord(const Word& word, Parts& parts) { return takeLookup(word, 
 
 Answer takeNoMap(const Word& word, Parts& parts)
 {
-    if (word.name == "exact") {
-        if (!word.arguments.empty()) return "\"exact\" takes no arguments";
-        return setOnce(parts.noMap, Technique(ExactTechnique{}), "technique without a map");
-    }
-    if (word.name == "shadow-volumes") {
-        if (!word.arguments.empty()) return "\"shadow-volumes\" takes no arguments";
-        return setOnce(parts.noMap, Technique(ShadowVolumesTechnique{}), "technique without a map");
-    }
-    if (word.name == "exact-area") {
-        const auto n = onlyInteger(word, "n", 64);
-        if (!n || *n < 1 || *n > 1024 || !isSquare(*n)) return "exact-area(n) takes a square number n from 1 to 1024";
-        return setOnce(parts.noMap, Technique(ExactAreaTechnique{*n}), "technique without a map");
-    }
-    return std::nullopt;
+    if (word.name != "shadow-volumes") return takeExact(word, parts.noMap);
+    if (!word.arguments.empty()) return "\"shadow-volumes\" takes no arguments";
+    return setOnce(parts.noMap, Technique(ShadowVolumesTechnique{}), "technique without a map");
 }
 
 Answer takeAllocation(const Word& word, Parts& parts)
@@ -435,6 +409,14 @@ bool needsViewSamples(const MapTechnique& technique)
     return warpOptionsOf(technique.warp) || isMadeOfThem(technique.partition, technique.fit) ||
            (technique.otherwise && isMadeOfThem(technique.otherwise->partition, technique.otherwise->fit));
 }
+
+const MapTechnique* mapsOf(const Technique& technique)
+{
+    if (const auto* exact = std::get_if<ExactFilteredTechnique>(&technique)) return &exact->filtered;
+    return std::get_if<MapTechnique>(&technique);
+}
+
+bool hasMap(const Technique& technique) { return std::holds_alternative<MapTechnique>(technique); }
 
 const SceneOptimalFit* sceneOptimalOf(const MapTechnique& technique)
 {

@@ -146,12 +146,26 @@ struct ExactAreaTechnique
     int samples = 64; // a square number
     friend bool operator==(const ExactAreaTechnique&, const ExactAreaTechnique&) = default;
 };
+// What a filter of some maps stands for: `rays` rays over the square of lixels that their lookup averages over.
+struct ExactFilteredTechnique
+{
+    MapTechnique filtered; // whose light images and lookup
+    int rays = 256;        // a square number
+    friend bool operator==(const ExactFilteredTechnique&, const ExactFilteredTechnique&) = default;
+};
 struct ShadowVolumesTechnique
 {
     friend bool operator==(const ShadowVolumesTechnique&, const ShadowVolumesTechnique&) = default;
 };
 
-using Technique = std::variant<MapTechnique, ExactTechnique, ExactAreaTechnique, ShadowVolumesTechnique>;
+using Technique = std::variant<MapTechnique, ExactTechnique, ExactAreaTechnique, ExactFilteredTechnique,
+                               ShadowVolumesTechnique>;
+
+// Of the technique, or of what exact-filtered stands for: what must be planned. Null for the others.
+const MapTechnique* mapsOf(const Technique& technique);
+
+// Whether it draws maps: what is planned for exact-filtered is not drawn.
+bool hasMap(const Technique& technique);
 
 // Says what is wrong in one line that quotes the text and names what is known.
 Expected<Technique, std::string> parseTechnique(std::string_view text);

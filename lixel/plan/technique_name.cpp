@@ -85,6 +85,11 @@ std::string name(const MapTechnique& map)
     return text + "+" + nameOfLookup(map);
 }
 
+std::string name(const ExactFilteredTechnique& exact)
+{
+    return fmt::format("exact-filtered({},rays={})", name(exact.filtered), exact.rays);
+}
+
 } // namespace
 
 std::string toString(const Technique& technique)

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kAnyLight = "directional, spot, point";
 
-constexpr std::array<TechniqueWord, 34> kWords{{
+constexpr std::array<TechniqueWord, 35> kWords{{
     {"partition", "whole", "one region: all of space", "", "all", ""},
     {"partition", "pssm(n, lambda=0.5, stable)",
      "n = 1 to 16 regions along the line of sight, split between evenly (0) and logarithmically (1)",
@@ -87,6 +87,12 @@ constexpr std::array<TechniqueWord, 34> kWords{{
     {"no map", "exact", "a ray for every view sample, decided in double precision", "", "all", ""},
     {"no map", "exact-area(n)", "share of the pixel's area that is lit; n = 1, 4, ..., 1024 rays a pixel", "", "all",
      ""},
+    {"no map", "exact-filtered(technique, rays=256)",
+     "share of the square of lixels that the technique's lookup averages over that is lit, on the sample's plane: what "
+     "its filter "
+     "stands for; rays = 1, 4, ..., 1024 a sample",
+     "", "those of the technique",
+     "whatever the technique refuses; bilinear, which is rounded; rotated and jittered kernels"},
     {"no map", "shadow-volumes", "volumes from silhouettes, counted in the stencil behind what is seen; with gl only",
      "Crow 1977; Everitt, Kilgard 2002; Kim et al. 2008", "all", "masked-casters, parallel-view"},
     {"preset", "paper:rtw, now, now-dv, min-sm",

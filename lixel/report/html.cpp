@@ -181,4 +181,6 @@ void writeReport(const fs::path& folder, const Reproduction& reproduction)
 
 void writeReport(const fs::path& folder, const PlaneBudget& study) { writePage(folder, toJson(study), study.run.rows); }
 
+void writeReport(const fs::path& folder, const LookupStudy& study) { writePage(folder, toJson(study), study.run.rows); }
+
 } // namespace lixel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lixel/report/lookups.h"
 #include "lixel/report/plane_budget.h"
 #include "lixel/report/reproduction.h"
 
@@ -18,5 +19,8 @@ void writeReport(const std::filesystem::path& folder, const Reproduction& reprod
 
 // The same with the curves.
 void writeReport(const std::filesystem::path& folder, const PlaneBudget& study);
+
+// The same with every lookup's errors against what it takes.
+void writeReport(const std::filesystem::path& folder, const LookupStudy& study);
 
 } // namespace lixel

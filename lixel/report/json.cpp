@@ -63,6 +63,8 @@ Json shades(const ShadeQuality& of)
     return {{"distinct", of.distinct},
             {"transition_pixels", of.transitionPixels},
             {"bleeding_percent", of.bleedingPercent},
+            {"dark_interior_samples", of.darkInterior.samples},
+            {"dark_interior_lit", of.darkInterior.misclassified},
             {"area_rmse", of.area.rmse},
             {"area_largest", of.area.largest},
             {"filter_lixels", orNull(of.filterLixels)},

@@ -122,6 +122,7 @@ struct ShadeQuality
     std::int64_t distinct = 0;          // shades of light-facing samples
     double transitionPixels = 0;        // from 5 to 95 % lit, across the boundary of exact visibility
     double bleedingPercent = 0;         // mean light of interior samples that are exactly dark
+    SampleCount darkInterior;           // these, and those of them that are lit when rounded
     TruthError area;                    // against the share of the pixel that is lit
     std::optional<double> filterLixels; // a side of what the lookup averages over; no value: a technique without a map
     std::optional<TruthError> filtered; // against the share of that square that is lit

@@ -116,6 +116,33 @@ TEST_F(Compare, CountsAddUp)
     }
 }
 
+TEST_F(Compare, WhatAFilterStandsForIsATechniqueWithoutAMap)
+{
+    compareTable(
+        {"--view", "overview", "--shades", "--techniques", "exact-filtered(pcf(9)),exact-filtered(msm,rays=4),pcf(9)"});
+    EXPECT_EQ(schemaError(resultsText()), "");
+    const Json rows = results();
+    ASSERT_EQ(rows.size(), 4u);
+    for (const Json& row : rows) {
+        if (!row.at("technique").get<std::string>().starts_with("exact-filtered")) continue;
+        EXPECT_EQ(row.at("lixels_used"), 0);
+        EXPECT_EQ(row.at("bytes"), 0);
+        EXPECT_TRUE(row.at("timing").at("frame_ms").is_null());
+        const double rmse = row.at("shades").at("filtered_rmse");
+        const bool isAsFine = row.at("technique") == "exact-filtered(pcf(9))";
+        EXPECT_TRUE(isAsFine ? rmse == 0 : rmse > 0) << rmse; // as many rays as the measure takes
+    }
+}
+
+TEST_F(Compare, WhatAFilterStandsForIsRefusedWhereItsMapsAre)
+{
+    compare({"lamp", "--view", "ceiling", "--size", "32x32", "--lixels", "32x32", "--executor", "trace",
+             "--timing-frames", "0", "--techniques", "exact-filtered(focused)", "--json", "out.json"},
+            5);
+    const Json rows = Json::parse(readWhole(folder_.path() / "out.json")).at("results");
+    EXPECT_TRUE(std::ranges::any_of(rows, [](const Json& row) { return row.contains("refused"); }));
+}
+
 TEST_F(Compare, TheSameCommandGivesTheSameBytes)
 {
     const Words words{"--view", "overview", "--techniques", "focused+pcf:9,exact-area:4"};

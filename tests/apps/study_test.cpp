@@ -160,6 +160,49 @@ TEST(StudyCommand, PlaneBudgetHasNextToNoErrorsOnPlanesWithALixelAPixel)
     EXPECT_EQ(exact, 3) << "one a scene";
 }
 
+// Every lookup over the same samples; the best ones are beaten by none, and bytes grow with what lixels hold.
+TEST(StudyCommand, LookupsStandAgainstBytesWithTheBestNamed)
+{
+    const TemporaryFolder folder;
+    CommandOptions options;
+    options.folder = folder.path();
+    const CommandResult result =
+        runLixel({"study", "lookups", "--quick", "--executor", "trace", "--timing-frames", "0", "-o", "out"}, options);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const std::string text = readWhole(folder.path() / "out" / "results.json");
+    EXPECT_EQ(schemaError(text), "");
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "report.html"));
+    const auto study = nlohmann::json::parse(text).at("study");
+    std::map<std::string, nlohmann::json> lookups;
+    for (const auto& lookup : study.at("lookups")) {
+        lookups[lookup.at("lookup")] = lookup;
+        EXPECT_EQ(lookup.at("lights"), study.at("lookups")[0].at("lights"));
+        EXPECT_EQ(lookup.at("dark_interior_samples"), study.at("lookups")[0].at("dark_interior_samples"));
+        EXPECT_TRUE(lookup.at("timing").is_null());
+    }
+    EXPECT_EQ(lookups.at("pcf(1)").at("ratio_to_nearest"), 1.0);
+    const std::map<std::string, int> outcomes{{"pcf(9)", 10},           {"depths(2,max)", 3},
+                                              {"depths(3)+pcf(4)", 13}, {"fast-pcf+pcf(4)", 17},
+                                              {"depths(8)+pcf(9)", 73}, {"bilinear", 2}};
+    for (const auto& [name, most] : outcomes) EXPECT_LE(lookups.at(name).at("shades").get<int>(), most) << name;
+    EXPECT_EQ(lookups.at("pcf(9)").at("shades"), 10);
+    EXPECT_TRUE(lookups.at("bilinear").at("filtered_rmse").is_null());
+    EXPECT_LT(lookups.at("pcf(25)").at("filtered_rmse").get<double>(),
+              lookups.at("pcf(1)").at("filtered_rmse").get<double>());
+    EXPECT_GT(lookups.at("vsm").at("bleeding_percent").get<double>(),
+              lookups.at("pcf(9)").at("bleeding_percent").get<double>());
+    for (const auto& front : study.at("fronts")) {
+        const std::string error = front.at("error");
+        for (const std::string best : front.at("lookups"))
+            for (const auto& [name, other] : lookups) {
+                if (other.at(error).is_null()) continue;
+                EXPECT_FALSE(other.at(error) < lookups.at(best).at(error) &&
+                             other.at("bytes_per_lixel") <= lookups.at(best).at("bytes_per_lixel"))
+                    << name << " beats " << best;
+            }
+    }
+}
+
 TEST(StudyCommand, WithoutANameListsTheStudies)
 {
     const CommandResult result = runLixel({"study"});

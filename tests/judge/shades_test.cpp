@@ -68,7 +68,10 @@ TEST(Shades, LightBleedsIntoDarkInteriorsOnly)
     const ViewSamples samples = squareOf(2);
     const std::vector<Zone> zones{Zone::Interior, Zone::Interior, Zone::EdgeBand, Zone::Interior};
     const std::vector<float> exact{0, 0, 0, 1}, visibility{0.5f, 0, 1, 0.25f};
-    EXPECT_DOUBLE_EQ(shadesOf(samples, zones, visibility, exact).bleedingPercent(), 25);
+    const Shades shades = shadesOf(samples, zones, visibility, exact);
+    EXPECT_DOUBLE_EQ(shades.bleedingPercent(), 25);
+    EXPECT_EQ(shades.darkInterior, 2);
+    EXPECT_EQ(shades.litDarkInterior, 1); // one half is lit
 }
 
 TEST(Shades, ErrorsAreRootMeanSquareAndLargest)

@@ -20,6 +20,8 @@ TEST(TechniqueText, PartsLeftOutTakeTheirDefaultAndOrderIsFree)
     EXPECT_EQ(canonical("pcf(9)"), "whole+focused+depths(1)+pcf(9)");
     EXPECT_EQ(canonical("pcf(9)+uniform"), canonical("uniform + pcf(9)"));
     EXPECT_EQ(canonical("exact-area"), "exact-area(64)");
+    EXPECT_EQ(canonical("exact-filtered"), "exact-filtered(whole+focused+depths(1)+pcf(1),rays=256)");
+    EXPECT_EQ(canonical("exact-filtered(pcf(9), rays=64)"), "exact-filtered(whole+focused+depths(1)+pcf(9),rays=64)");
     EXPECT_EQ(canonical("sdsm"), "sdsm(4)+desired-view+allocation=need+depths(1)+pcf(1)");
     EXPECT_EQ(canonical("pssm:2+lispsm"), "pssm(2,lambda=0.5)+lispsm+allocation=need+depths(1)+pcf(1)");
     EXPECT_EQ(canonical("psm+else(cube)"),
@@ -57,6 +59,9 @@ TEST(TechniqueText, TheCanonicalFormParsesBackToTheSameValue)
                              "exact",
                              "exact-area(16)",
                              "shadow-volumes",
+                             "exact-filtered(pcf:9)",
+                             "exact-filtered(rays=16,pssm(2,lambda=1)+allocation=share+depths(3,q=25)+pcf(4))",
+                             "exact-filtered(now(importance=count,power=1)+msm(5),rays=4)",
                              "pcf:4",
                              "sdsm:3",
                              "cube+desired-view(rotated)",
@@ -137,6 +142,20 @@ TEST(TechniqueText, WhatIsWrongIsOneLineThatQuotesIt)
                              "pcf(n=4)",
                              "exact-area(0)",
                              "exact-area(99999999999999999999)",
+                             "exact-area(4,9)",
+                             "exact-filtered(nosuch)",
+                             "exact-filtered(exact)",
+                             "exact-filtered(exact-area(4))",
+                             "exact-filtered(exact-filtered(focused))",
+                             "exact-filtered(focused,uniform)",
+                             "exact-filtered(focused,rays=3)",
+                             "exact-filtered(focused,rays=0)",
+                             "exact-filtered(bilinear)",
+                             "exact-filtered(pcf(9,rotated))",
+                             "exact-filtered(pcf(4,jittered))",
+                             "exact-filtered()",
+                             "exact-filtered+focused",
+                             "exact+exact-filtered",
                              "pcf()",
                              "pssm(0)",
                              "pssm(17)",

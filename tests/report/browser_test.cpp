@@ -35,6 +35,7 @@ TEST(Report, OfAnExperimentIsUsableInABrowserFromAFile)
     useInABrowser<Reproduction>(sampleReproduction, "experiment");
 }
 TEST(Report, OfAStudyIsUsableInABrowserFromAFile) { useInABrowser<PlaneBudget>(samplePlaneBudget, "study"); }
+TEST(Report, OfLookupsIsUsableInABrowserFromAFile) { useInABrowser<LookupStudy>(sampleLookups, "lookups"); }
 
 } // namespace
 } // namespace lixel::test

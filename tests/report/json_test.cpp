@@ -38,6 +38,7 @@ TEST(ResultsJson, IsValidByItsSchema)
     EXPECT_EQ(schemaError(toJson(samplePath())), "");
     EXPECT_EQ(schemaError(toJson(sampleReproduction({}, 32))), "");
     EXPECT_EQ(schemaError(toJson(samplePlaneBudget({}, 32))), "");
+    EXPECT_EQ(schemaError(toJson(sampleLookups({}, 32))), "");
 }
 
 TEST(ResultsJson, IsValidWhenNothingWasMeasuredOrCounted)
@@ -134,7 +135,7 @@ TEST(ResultsJson, ShadesOfATechniqueWithoutAMapHaveNoFilter)
 {
     RunResults run = sampleRun();
     run.rows = {run.rows.front()};
-    firstMeasured(run).shades = ShadeQuality{3, 1.5, 0, {0.5, 1}, {}, {}};
+    firstMeasured(run).shades = ShadeQuality{3, 1.5, 0, {}, {0.5, 1}, {}, {}};
     const Json told = Json::parse(toJson(run))["results"][0]["shades"];
     EXPECT_EQ(told["area_rmse"], 0.5);
     EXPECT_TRUE(told["filter_lixels"].is_null() && told["filtered_rmse"].is_null());

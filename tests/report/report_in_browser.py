@@ -266,6 +266,9 @@ def table_sorts_by(page, start):
 def charts_show(page):
     page.run("scrollTo(0, 0)")
     bars = page.run("return [...document.querySelectorAll('#charts svg')].map(s => s.querySelectorAll('rect').length)")
+    if page.run("return Boolean(run.study?.lookups)"):
+        check(bars == [], f"lookups have charts of their own: {bars}")
+        return
     expected = 3 if is_path(page) else 2  # error, cost, and flips
     check(len(bars) == expected and min(bars) > 1, f"error and cost have bars, along a path flips too: {bars}")
 
@@ -323,9 +326,28 @@ def experiment_shows(page):
     check(shown.endswith("exact · gl"), f"a figure's pictures can be compared: {shown}")
 
 
-def study_shows(page):
+def lookups_show(page):
+    """A chart for each error and cost that there is; what is best is joined by a line and named."""
+    if page.run("return !run.study?.lookups"):
+        return
+    charts = page.run("return [...document.querySelectorAll('#curves figure')].map(f => [f.querySelector('figcaption').textContent,"
+                      " f.querySelectorAll('circle').length,"
+                      " [...f.querySelectorAll('.name')].map(name => name.textContent).join(' ')])")
+    check(len(charts) == 8, f"four errors against bytes and against time: {charts}")
+    check(charts[0][1:] == [4, "bilinear untimed"], f"every lookup has its dot, the best their names: {charts[0]}")
+    check(charts[1][1:] == [3, "pcf(1) bilinear"], f"only what is timed stands against time: {charts[1]}")
+    check(charts[4][1] == 3, f"only filters stand against what they filter: {charts[4]}")
+    none = page.run("const dots = [...document.querySelectorAll('#curves figure:nth-child(7) circle')];"
+                    "return [Math.max(...dots.map(c => c.cy.baseVal.value)),"
+                    " dots.filter(c => c.textContent.includes(': 0,')).map(c => c.cy.baseVal.value)]")
+    check(len(none[1]) == 2 and set(none[1]) == {none[0]}, f"no bleeding lies lowest: {none}")
+    rows = page.run("return [...document.querySelectorAll('#study tbody tr')].map(row => row.innerText)")
+    check(len(rows) == 4 and rows[0].endswith("filtered / bytes, misclassified / time"), f"each has its row: {rows}")
+
+
+def budgets_show(page):
     """A chart for planes and one for the rest, with a dot for each point."""
-    if page.run("return !run.study"):
+    if page.run("return !run.study?.curves"):
         return
     dots, expected = page.run("return [document.querySelectorAll('#curves circle').length,"
                               " run.study.curves.reduce((sum, curve) => sum + curve.points.length, 0)]")
@@ -371,7 +393,8 @@ def console_is_quiet(page):
 
 STEPS = [
     pictures_appear, differences_become_whole_pictures, slider_moves, techniques_change, error_overlay_toggles,
-    density_shows_with_its_legend, zoom_works, next_view_opens, tables_sort, charts_show, flips_show, experiment_shows, study_shows,
+    density_shows_with_its_legend, zoom_works, next_view_opens, tables_sort, charts_show, flips_show, experiment_shows,
+    budgets_show, lookups_show,
     command_stands_there, refusals_are_told, fits_every_width, needs_nothing_from_outside, console_is_quiet,
 ]
 

@@ -90,7 +90,7 @@ Measurement measure(SampleScene& scene, const SampleTechnique& technique)
         measurement.bytes = 512 * 512 * 4;
         measurement.footprintPixelsPerLixel = Percentiles{0.1, 0.3, 1.2, 4.5, 9.75, 31};
         measurement.densityLixelsPerPixel = Percentiles{0.01, 0.05, 0.7, 3.2, 9, 40};
-        measurement.shades = ShadeQuality{17, 2.5, 0.25, {0.125, 0.75}, 4.0, TruthError{0.0625, 0.5}};
+        measurement.shades = ShadeQuality{17, 2.5, 0.25, {400, 1}, {0.125, 0.75}, 4.0, TruthError{0.0625, 0.5}};
     }
     return measurement;
 }
@@ -282,6 +282,38 @@ PlaneBudget samplePlaneBudget(const fs::path& folder, int size)
                               isOnPlanes,
                               {{"512x512", 70000.5, {10000, isOnPlanes ? 0 : 250}}}});
     }
+    return out;
+}
+
+LookupStudy sampleLookups(const fs::path& folder, int size)
+{
+    LookupStudy out{"Which does none beat?", true, 1, {}, {}, {}, makeRun(folder, size)};
+    const auto add = [&](const char* name, int bytes, double percent, double bleeding, std::optional<double> filtered,
+                         std::optional<LookupStudy::Times> times) {
+        out.lookups.push_back({name,
+                               "whole+focused+" + std::string(name),
+                               bytes,
+                               bytes,
+                               12,
+                               3456,
+                               percent,
+                               percent / 3,
+                               5,
+                               1.5,
+                               bleeding,
+                               {1000, 2},
+                               0.25,
+                               filtered ? std::optional(2.0) : std::nullopt,
+                               filtered,
+                               times});
+    };
+    add("pcf(1)", 4, 3.0, 0, 0.2, LookupStudy::Times{1, 1, 0, 4.5});
+    add("bilinear", 4, 2.5, 0, {}, LookupStudy::Times{1.05, 1.5, 0, 6});
+    add("msm", 36, 2.75, 1.5, 0.1, LookupStudy::Times{1.25, 3, 4, 9});
+    add("untimed", 8, 2.0, 0.5, 0.15, {});
+    out.fronts = {{"misclassified_percent", "bytes_per_lixel", {"bilinear", "untimed"}},
+                  {"filtered_rmse", "bytes_per_lixel", {"pcf(1)", "untimed", "msm"}}};
+    out.frontsOfTimes = {{"misclassified_percent", "frame_ratio", {"pcf(1)", "bilinear"}}};
     return out;
 }
 

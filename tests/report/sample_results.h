@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lixel/report/lookups.h"
 #include "lixel/report/plane_budget.h"
 #include "lixel/report/reproduction.h"
 
@@ -41,5 +42,8 @@ Reproduction sampleReproduction(const std::filesystem::path& folder, int size);
 
 // A made-up study: two techniques on planes and off them, one of them at last without errors on them.
 PlaneBudget samplePlaneBudget(const std::filesystem::path& folder, int size);
+
+// A made-up study: four lookups, one without a filter's truth, one without times.
+LookupStudy sampleLookups(const std::filesystem::path& folder, int size);
 
 } // namespace lixel::test

@@ -19,6 +19,7 @@ constexpr const char* kScene = "bunnies";
 constexpr std::array<const char*, 4> kViews{"overview", "close-up", "grazing", "light-in-front"};
 constexpr std::array<int, 5> kTaps{1, 4, 9, 16, 25};
 constexpr int kMostDepths = 8;
+constexpr double kApart = 1e-5; // of two shades; shares of nk are at least 1/200 apart
 
 // Table 1, rows as kTaps, columns n = 1 to 8.
 constexpr int kPaper[5][kMostDepths] = {{2, 3, 4, 5, 6, 7, 8, 9},
@@ -26,6 +27,23 @@ constexpr int kPaper[5][kMostDepths] = {{2, 3, 4, 5, 6, 7, 8, 9},
                                         {10, 19, 28, 37, 46, 55, 64, 73},
                                         {17, 33, 49, 65, 81, 97, 113, 129},
                                         {26, 51, 76, 101, 126, 151, 176, 201}};
+
+using Shades = std::array<std::array<std::set<long>, kMostDepths>, kTaps.size()>; // [k][n - 1]
+
+// Its first four columns are Figure 3.
+ReproducedTable tableOf(const Shades& shades)
+{
+    ReproducedTable table{
+        "Table 1: outcomes of PCF(k, n)", "different shades seen", "Table 1; Figure 3 has n = 1 to 4", {}, {}};
+    for (int n = 1; n <= kMostDepths; ++n)
+        table.columns.push_back({fmt::format("n = {}", n), fmt::format("depths({})", n)});
+    for (std::size_t k = 0; k < kTaps.size(); ++k) {
+        ReproducedTable::Row& row = table.rows.emplace_back(ReproducedTable::Row{fmt::format("k = {}", kTaps[k]), {}});
+        for (std::size_t n = 0; n < kMostDepths; ++n)
+            row.cells.push_back({double(shades[k][n].size()), double(kPaper[k][n])});
+    }
+    return table;
+}
 
 } // namespace
 
@@ -35,7 +53,7 @@ Reproduction reproduceMultipleDepthTable1(const ExperimentOptions& options)
     const LixelSize lixels = options.isQuick ? LixelSize{128, 128} : LixelSize{512, 512};
     const std::size_t views = options.isQuick ? 1 : kViews.size();
     const auto executor = makeExecutor(options.executor);
-    std::array<std::array<std::set<long>, kMostDepths>, kTaps.size()> shades;
+    Shades shades;
     Progress progress("reproduce", int(views * kTaps.size() * kMostDepths));
     for (std::size_t v = 0; v < views; ++v) {
         const OnePicture picture(kScene, kViews[v], size, *executor);
@@ -47,7 +65,7 @@ Reproduction reproduceMultipleDepthTable1(const ExperimentOptions& options)
                 const Visibility visibility = executor->run(picture.stage, plan, picture.samples).front();
                 for (std::size_t i = 0; i < picture.samples.size(); ++i)
                     if (picture.truth.zones[0][i] != Zone::FacingAway)
-                        shades[k][std::size_t(n - 1)].insert(std::lround(visibility.value[i] * float(n * kTaps[k])));
+                        shades[k][std::size_t(n - 1)].insert(std::lround(double(visibility.value[i]) / kApart));
             }
     }
     Reproduction out;
@@ -58,6 +76,7 @@ Reproduction reproduceMultipleDepthTable1(const ExperimentOptions& options)
                       {"lixels", toString(lixels)},
                       {"executor", options.executor},
                       {"choice of depths", "n = 2 max, 3 minmax, 4 to 8 sorted, of 3x3 lixels"}};
+    out.tables.push_back(tableOf(shades));
     for (std::size_t k = 0; k < kTaps.size(); ++k)
         for (std::size_t n = 0; n < kMostDepths; ++n)
             out.numbers.push_back({fmt::format("PCF({},{})", kTaps[k], n + 1), "different shades seen",

@@ -6,7 +6,7 @@
 namespace lixel {
 namespace {
 
-constexpr int kMapBytes = 4, kWordBytes = 4, kGradientBytes = 4;
+constexpr int kMapBytes = 4, kWordBytes = 4, kChannelBytes = 4, kGradientBytes = 4;
 
 void take(const DepthStore& store, LookupLayout& layout)
 {
@@ -60,6 +60,16 @@ void takeAreas(int kernel, LookupLayout& layout)
 void take(const BilinearKernel&, LookupLayout& layout) { takeAreas(shared::LX_KERNEL_BILINEAR, layout); }
 void take(const HardwarePcfKernel&, LookupLayout& layout) { takeAreas(shared::LX_KERNEL_HARDWARE, layout); }
 
+// What PreparedMaps makes room for.
+void countBytes(LookupLayout& layout)
+{
+    const int words = kWordBytes * (layout.preparedWords + (layout.hasMoreWords ? 1 : 0));
+    const int moments = kChannelBytes * layout.momentChannels;
+    const int gradients = layout.hasGradients ? kGradientBytes : 0;
+    layout.bytesPerLixel = kMapBytes + words + 2 * moments + gradients;
+    layout.bytesReadPerLixel = (words + moments > 0 ? words + moments : kMapBytes) + gradients;
+}
+
 } // namespace
 
 LookupLayout lookupLayout(const MapTechnique& technique)
@@ -70,8 +80,7 @@ LookupLayout lookupLayout(const MapTechnique& technique)
     layout.how.side = layout.tapsPerSide;
     layout.how.isDualPlane = technique.isDualPlane ? 1 : 0;
     layout.hasGradients = technique.isDualPlane;
-    layout.bytesPerLixel = kMapBytes + kWordBytes * (layout.preparedWords + (layout.hasMoreWords ? 1 : 0)) +
-                           kWordBytes * layout.momentChannels + (layout.hasGradients ? kGradientBytes : 0);
+    countBytes(layout);
     return layout;
 }
 
@@ -79,6 +88,18 @@ double filterSide(const LookupLayout& lookup)
 {
     if (lookup.momentChannels > 0) return lookup.how.blur;
     return lookup.how.store == shared::LX_STORE_DEPTHS8 ? lookup.tapsPerSide + 1 : lookup.tapsPerSide;
+}
+
+std::string_view whyNoShare(const LookupLayout& lookup)
+{
+    switch (lookup.how.kernel) {
+    case shared::LX_KERNEL_BILINEAR:
+        return "bilinear rounds what it filters and stands for no share of light; hardware-pcf filters as many lixels";
+    case shared::LX_KERNEL_ROTATED:
+    case shared::LX_KERNEL_JITTERED:
+        return "rotated and jittered kernels have another footprint for every sample; the regular pcf(k) has one";
+    default: return "";
+    }
 }
 
 } // namespace lixel

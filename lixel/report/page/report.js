@@ -17,6 +17,9 @@ function mapsText(row) {
   return without ? `${maps}; without ${without}` : maps || kNone;
 }
 
+const shareOfDarkInterior = ({shades}) => shades?.dark_interior_samples
+  ? 100 * shades.dark_interior_lit / shades.dark_interior_samples : null;
+
 function showRows() {
   const group = {...column("View", groupName), title: "View and light; shows its pictures", open: row => openView(row)};
   const columns = [
@@ -42,6 +45,8 @@ function showRows() {
     shade("Shades", "distinct", "different values of visibility"),
     shade("Transition", "transition_pixels", "pixels from 5 to 95 % lit, across the boundary of exact visibility"),
     shade("Bleeding %", "bleeding_percent", "mean light of interior samples that are exactly dark"),
+    column("False lit inside %", row => shareOfDarkInterior(row), percentText,
+      "of the interior samples that are exactly dark: lit, when rounded"),
     shade("Area RMSE", "area_rmse", "over the edge band, against the share of the pixel that is lit"),
     shade("Area largest", "area_largest", "error over the edge band"),
     shade("Filtered RMSE", "filtered_rmse", "over the edge band, against the share of the filter's footprint that is lit"),

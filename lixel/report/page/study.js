@@ -1,4 +1,4 @@
-// How error falls with lixels: a chart for each scene, on its planes and off them.
+// What a study found: how error falls with lixels, a chart for each scene, on its planes and off them; or lookups (lookups.js).
 
 const study = run.study;
 const kCurveColours = ["var(--accent)", "#c2571a", "#2a8a5b"];
@@ -10,6 +10,11 @@ function showStudy() {
   byId("study-title").textContent = study.name;
   byId("study-note").textContent = study.question
     + (study.left_out ? ` Without ${study.left_out} views and lights that some technique refused.` : "");
+  if (study.lookups) showLookups();
+  else showBudgets();
+}
+
+function showBudgets() {
   const techniques = [...new Set(study.curves.map(curve => curve.technique.replace(/planes\([^)]*\)/, "planes")))];
   const colourOf = curve => kCurveColours[techniques.indexOf(curve.technique.replace(/planes\([^)]*\)/, "planes"))
     % kCurveColours.length];

@@ -40,8 +40,9 @@ function showSummary() {
   const costs = compared.filter(row => isNumber(row.frame_ms))
     .map(row => ({label: label(row), text: numberText(row.frame_ms) + " ms",
       parts: [{value: row.frame_ms, className: "cost"}]}));
-  if (errors.length) byId("charts").append(barChart("Misclassified samples", "%", errors));
-  if (costs.length) byId("charts").append(barChart("Time of a frame", "ms", costs));
+  const isCharted = !run.study?.lookups; // whose own charts are over all scenes
+  if (isCharted && errors.length) byId("charts").append(barChart("Misclassified samples", "%", errors));
+  if (isCharted && costs.length) byId("charts").append(barChart("Time of a frame", "ms", costs));
   byId("charts").querySelector("figcaption")?.append(errorKeys());
   if (isPath) showFlips(compared, label);
   byId("summary-table").replaceChildren(sortableTable("Means by technique", summaryColumns(several), summary));
