@@ -169,9 +169,9 @@ PathComparison::Said PathComparison::ask(Executor& executor, const TechniqueChoi
         return said;
     }
     Said said{hasMap(choice.technique), {}, {}};
-    const auto answer =
-        said.isOfMaps ? executor.run(*now.stage, *plan, all)
-                      : visibilityWithoutMap(choice.technique, executor, *now.stage, now.view, all, lights, plan);
+    const auto answer = said.isOfMaps
+                            ? executor.run(*now.stage, *plan, all)
+                            : visibilityWithoutMap(choice.technique, executor, *now.stage, now.view, all, lights, plan);
     for (const Visibility& one : *answer) {
         const bool isThere = !one.value.empty(); // else its light was refused
         said.ofSamples.push_back(isThere ? part(one, 0, now.samples.size()) : Visibility{});

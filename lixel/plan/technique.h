@@ -158,8 +158,8 @@ struct ShadowVolumesTechnique
     friend bool operator==(const ShadowVolumesTechnique&, const ShadowVolumesTechnique&) = default;
 };
 
-using Technique = std::variant<MapTechnique, ExactTechnique, ExactAreaTechnique, ExactFilteredTechnique,
-                               ShadowVolumesTechnique>;
+using Technique =
+    std::variant<MapTechnique, ExactTechnique, ExactAreaTechnique, ExactFilteredTechnique, ShadowVolumesTechnique>;
 
 // Of the technique, or of what exact-filtered stands for: what must be planned. Null for the others.
 const MapTechnique* mapsOf(const Technique& technique);
