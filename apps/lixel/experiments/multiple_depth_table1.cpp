@@ -30,21 +30,6 @@ constexpr int kPaper[5][kMostDepths] = {{2, 3, 4, 5, 6, 7, 8, 9},
 
 using Shades = std::array<std::array<std::set<long>, kMostDepths>, kTaps.size()>; // [k][n - 1]
 
-// Its first four columns are Figure 3.
-ReproducedTable tableOf(const Shades& shades)
-{
-    ReproducedTable table{
-        "Table 1: outcomes of PCF(k, n)", "different shades seen", "Table 1; Figure 3 has n = 1 to 4", {}, {}};
-    for (int n = 1; n <= kMostDepths; ++n)
-        table.columns.push_back({fmt::format("n = {}", n), fmt::format("depths({})", n)});
-    for (std::size_t k = 0; k < kTaps.size(); ++k) {
-        ReproducedTable::Row& row = table.rows.emplace_back(ReproducedTable::Row{fmt::format("k = {}", kTaps[k]), {}});
-        for (std::size_t n = 0; n < kMostDepths; ++n)
-            row.cells.push_back({double(shades[k][n].size()), double(kPaper[k][n])});
-    }
-    return table;
-}
-
 } // namespace
 
 Reproduction reproduceMultipleDepthTable1(const ExperimentOptions& options)
@@ -76,7 +61,6 @@ Reproduction reproduceMultipleDepthTable1(const ExperimentOptions& options)
                       {"lixels", toString(lixels)},
                       {"executor", options.executor},
                       {"choice of depths", "n = 2 max, 3 minmax, 4 to 8 sorted, of 3x3 lixels"}};
-    out.tables.push_back(tableOf(shades));
     for (std::size_t k = 0; k < kTaps.size(); ++k)
         for (std::size_t n = 0; n < kMostDepths; ++n)
             out.numbers.push_back({fmt::format("PCF({},{})", kTaps[k], n + 1), "different shades seen",
