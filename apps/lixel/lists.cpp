@@ -41,7 +41,8 @@ int printScenes(const std::string& only)
         found = true;
         fmt::print("{:<11} {}\n", builtin.name, builtin.description);
         for (const BuiltinParameter& p : builtin.parameters)
-            fmt::print("{:<11}   {}={}  {} ({} to {})\n", "", p.name, p.standard, p.meaning, p.least, p.most);
+            fmt::print("{:<11}   {}={:.0f}  {} ({:.0f} to {:.0f})\n", "", p.name, p.standard, p.meaning, p.least,
+                       p.most);
         if (only.empty()) continue;
         const Scene scene = *buildBuiltin(std::string(builtin.name));
         for (const NamedView& view : scene.views) {

@@ -18,7 +18,8 @@ std::string namesOf(std::span<const BuiltinParameter> parameters)
 {
     std::string names;
     for (const BuiltinParameter& p : parameters)
-        names += fmt::format("{}{}={} ({} to {})", names.empty() ? "" : ", ", p.name, p.standard, p.least, p.most);
+        names += fmt::format("{}{}={:.0f} ({:.0f} to {:.0f})", names.empty() ? "" : ", ", p.name, p.standard, p.least,
+                             p.most);
     return names;
 }
 
@@ -28,8 +29,8 @@ double parseValue(std::string_view scene, const BuiltinParameter& parameter, std
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool isWhole = !text.empty() && error == std::errc() && end == text.data() + text.size();
     if (!isWhole || double(value) < parameter.least || double(value) > parameter.most)
-        throw InputError(fmt::format("scene {}: {}={}: expected a whole number from {} to {}", scene, parameter.name,
-                                     text, parameter.least, parameter.most));
+        throw InputError(fmt::format("scene {}: {}={}: expected a whole number from {:.0f} to {:.0f}", scene,
+                                     parameter.name, text, parameter.least, parameter.most));
     return double(value);
 }
 
@@ -67,7 +68,7 @@ std::vector<double> parseArguments(const BuiltinScene& scene, std::string_view a
 std::span<const BuiltinScene> builtinScenes()
 {
     static const std::array scenes = {builtin::kBunnies, builtin::kTable, builtin::kObjects, builtin::kColonnade,
-                                      builtin::kFence,   builtin::kCity,  builtin::kLamp};
+                                      builtin::kFence,   builtin::kCity,  builtin::kLamp,    builtin::kBalls};
     return scenes;
 }
 

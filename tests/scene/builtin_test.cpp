@@ -300,15 +300,18 @@ TEST_P(EveryScene, GrowsWithItsFirstParameter)
               std::string::npos);
 }
 
-TEST(Builtin, TheSevenScenesAreThere)
+TEST(Builtin, TheEightScenesAreThere)
 {
-    EXPECT_EQ(names(), (std::vector<std::string>{"bunnies", "table", "objects", "colonnade", "fence", "city", "lamp"}));
+    EXPECT_EQ(names(),
+              (std::vector<std::string>{"bunnies", "table", "objects", "colonnade", "fence", "city", "lamp", "balls"}));
 }
 
 TEST(Builtin, TriangleCountsAreAsPromised)
 {
     EXPECT_LT(triangleCount("bunnies"), 100000u);
     EXPECT_NEAR(double(triangleCount("objects")), 1137772, 0.05 * 1137772);
+    for (const int asked : {1000, 3000, 10'000, 1'000'000})
+        EXPECT_NEAR(double(triangleCount("balls:" + std::to_string(asked))), asked, 0.16 * asked);
     const Box city = sceneBounds(*built("city"), {});
     EXPECT_GT(city.max.x - city.min.x, 1000);
 }
