@@ -50,6 +50,7 @@ std::uint64_t GlExecutor::mapsDrawn() const { return state_->mapsDrawn; }
 std::uint64_t GlExecutor::plansPrepared() const { return state_->plansPrepared; }
 void GlExecutor::forgetMaps() { state_->inAtlas.forget(); }
 
+std::uint64_t GlExecutor::deviceBytes() const { return gl::bytesHeld(); }
 std::size_t GlExecutor::warpBytes() const { return state_->lightDepthPass.warpBytes() + state_->warpFillPass.bytes(); }
 
 void GlExecutor::finish()

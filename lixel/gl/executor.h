@@ -70,6 +70,9 @@ public:
     std::uint64_t plansPrepared() const;
     void forgetMaps();
 
+    // Bytes on the device of all buffers and textures that this thread's executors have.
+    std::uint64_t deviceBytes() const;
+
     // Bytes on the device that warps take besides their knots: what exact drawing and what making them there keeps.
     std::size_t warpBytes() const;
 

@@ -12,13 +12,16 @@
 
 namespace lixel::gl {
 namespace {
-thread_local std::uint64_t made = 0;
+thread_local std::uint64_t made = 0, held = 0;
 }
 
 std::uint64_t objectsMade() { return made; }
+std::uint64_t bytesHeld() { return held; }
 
 namespace detail {
 void countObject() { ++made; }
+HeldBytes::HeldBytes(std::uint64_t bytes) : bytes_(bytes) { held += bytes; }
+HeldBytes::~HeldBytes() { held -= bytes_; }
 void deleteBuffer(std::uint32_t name) { glDeleteBuffers(1, &name); }
 void deleteTexture(std::uint32_t name) { glDeleteTextures(1, &name); }
 void deleteFramebuffer(std::uint32_t name) { glDeleteFramebuffers(1, &name); }
@@ -81,6 +84,7 @@ void Buffer::reserve(std::size_t bytes)
     if (name_.get() && bytes <= capacity_) return;
     name_ = makeBuffer(leastRoom(bytes), GL_DYNAMIC_STORAGE_BIT);
     capacity_ = leastRoom(bytes);
+    held_ = detail::HeldBytes(capacity_);
 }
 
 void MappedBuffer::reserve(std::size_t bytes)
@@ -93,7 +97,30 @@ void MappedBuffer::reserve(std::size_t bytes)
     const void* mapped = glMapNamedBufferRange(name_.get(), 0, GLsizeiptr(capacity), access);
     if (!mapped) throw GraphicsError("the graphics driver shows the host no memory of a buffer");
     bytes_ = {static_cast<const std::byte*>(mapped), capacity};
+    held_ = detail::HeldBytes(capacity);
 }
+
+namespace {
+
+// Of a texture with storage, all its levels.
+std::uint64_t bytesOf(GLuint texture, int levels)
+{
+    constexpr GLenum kSizes[] = {GL_TEXTURE_RED_SIZE,   GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
+                                 GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_STENCIL_SIZE};
+    const auto parameter = [&](int level, GLenum name) {
+        GLint value = 0;
+        glGetTextureLevelParameteriv(texture, level, name, &value);
+        return std::uint64_t(value);
+    };
+    std::uint64_t bytes = 0, bits = 0;
+    for (const GLenum size : kSizes) bits += parameter(0, size);
+    for (int level = 0; level < levels; ++level)
+        bytes += parameter(level, GL_TEXTURE_WIDTH) * parameter(level, GL_TEXTURE_HEIGHT) *
+                 parameter(level, GL_TEXTURE_DEPTH) * bits / 8;
+    return bytes;
+}
+
+} // namespace
 
 void Buffer::clear(std::size_t offset, std::size_t bytes)
 {
@@ -135,6 +162,7 @@ Texture::Texture(std::uint32_t internalFormat, int width, int height, int layers
     name_ = detail::Name<detail::deleteTexture>(name);
     if (layers > 0) glTextureStorage3D(name, levels, internalFormat, width, height, layers);
     else glTextureStorage2D(name, levels, internalFormat, width, height);
+    held_ = detail::HeldBytes(bytesOf(name, levels));
     // Maps and images are read with texelFetch.
     glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
     glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

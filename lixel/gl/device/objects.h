@@ -13,6 +13,9 @@ namespace lixel::gl {
 // OpenGL objects made by this thread so far; a frame that is not the first makes none.
 std::uint64_t objectsMade();
 
+// Bytes of the buffers and textures that it has now, as they were asked for: drivers may take more.
+std::uint64_t bytesHeld();
+
 namespace detail {
 void countObject();
 
@@ -45,6 +48,24 @@ private:
         name_ = 0;
     }
     std::uint32_t name_ = 0;
+};
+
+// Counts in bytesHeld() as long as it lives.
+class HeldBytes
+{
+public:
+    HeldBytes() = default;
+    explicit HeldBytes(std::uint64_t bytes);
+    ~HeldBytes();
+    HeldBytes(HeldBytes&& other) noexcept : bytes_(std::exchange(other.bytes_, 0)) {}
+    HeldBytes& operator=(HeldBytes&& other) noexcept
+    {
+        std::swap(bytes_, other.bytes_);
+        return *this;
+    }
+
+private:
+    std::uint64_t bytes_ = 0;
 };
 
 void deleteBuffer(std::uint32_t name);
@@ -111,6 +132,7 @@ private:
     void readBytes(std::size_t offset, void* data, std::size_t bytes) const;
 
     detail::Name<detail::deleteBuffer> name_;
+    detail::HeldBytes held_;
     std::size_t capacity_ = 0;
 };
 
@@ -125,6 +147,7 @@ public:
 
 private:
     detail::Name<detail::deleteBuffer> name_; // deleting it unmaps it
+    detail::HeldBytes held_;
     std::span<const std::byte> bytes_;
 };
 
@@ -149,6 +172,7 @@ public:
 
 private:
     detail::Name<detail::deleteTexture> name_;
+    detail::HeldBytes held_;
     std::uint32_t internalFormat_ = 0;
     int width_ = 0, height_ = 0, layers_ = 0;
 };
