@@ -23,6 +23,8 @@ Command addRender(CLI::App& parent);
 Command addCompare(CLI::App& parent, const std::string& commandLine);
 Command addReproduce(CLI::App& parent, const std::string& commandLine);
 Command addStudy(CLI::App& parent, const std::string& commandLine);
+Command addBench(CLI::App& parent, const std::string& commandLine);
+Command addMerge(CLI::App& parent, const std::string& commandLine);
 Command addTechniques(CLI::App& parent);
 Command addScenes(CLI::App& parent);
 

@@ -133,6 +133,7 @@ public:
     {
         return executor_.shade(stage.buffers.casters(), view, lights, samples, visibility);
     }
+    std::optional<std::uint64_t> deviceBytes() const override { return executor_.deviceBytes(); }
     std::string host() const override { return executor_.renderer() + ", " + processors(); }
 
 private:

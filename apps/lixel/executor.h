@@ -11,7 +11,9 @@
 #include "lixel/report/results.h"
 #include "lixel/scene/evaluate.h"
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -64,6 +66,9 @@ public:
     // The picture with this visibility, one a light; an empty one counts as lit.
     virtual Image<Rgba8> shade(const Stage& stage, const View& view, std::span<const Light> lights,
                                const ViewSamples& samples, std::span<const Visibility> visibility) = 0;
+
+    // Bytes of its buffers and textures on the device now; nothing where there is no device.
+    virtual std::optional<std::uint64_t> deviceBytes() const { return std::nullopt; }
 
     // What the results say of the machine: the driver, the processor.
     virtual std::string host() const = 0;

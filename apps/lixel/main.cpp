@@ -68,6 +68,8 @@ int run(int argc, char** argv)
                                         addCompare(app, commandLine),
                                         addReproduce(app, commandLine),
                                         addStudy(app, commandLine),
+                                        addMerge(app, commandLine),
+                                        addBench(app, commandLine),
                                         addTechniques(app),
                                         addScenes(app)};
     try {

@@ -42,13 +42,6 @@ Scene buildScene(const std::string& text)
         fmt::format("scene \"{}\" is not built in (known: {}); a file's name has a / or a .", text, known));
 }
 
-// A built-in's parameters may hold a dot, count=1.5: only what stands before the parenthesis tells a path.
-Scene openScene(const std::string& text)
-{
-    if (!looksLikePath(std::string_view(text).substr(0, text.find_first_of("(:")))) return buildScene(text);
-    return loadScene(text);
-}
-
 // Cameras and lights of a file, placed at the time.
 struct Placed
 {
@@ -164,7 +157,7 @@ struct Opened
     }
 };
 
-Opened openShooting(const PictureOptions& options)
+Opened openShooting(const PictureOptions& options, std::shared_ptr<const Scene> open = nullptr)
 {
     // Options first: a slip is told before a large file is read.
     const LixelSize size = readSize(options.size, "--size", kMostPixelsASide);
@@ -178,7 +171,7 @@ Opened openShooting(const PictureOptions& options)
     out.shooting.sceneName = options.scene;
     out.shooting.width = size.width;
     out.shooting.height = size.height;
-    out.shooting.scene = std::make_shared<const Scene>(openScene(options.scene));
+    out.shooting.scene = open ? std::move(open) : openScene(options.scene);
     const Scene& scene = *out.shooting.scene;
     if (options.animation && (*options.animation < 0 || *options.animation >= int(scene.animations.size())))
         throw UsageError(fmt::format("--animation {}: the scene has {}{}", *options.animation, scene.animations.size(),
@@ -244,9 +237,17 @@ void addPictureOptions(CLI::App& command, PictureOptions& o)
     addViewFlags(command, o.flags);
 }
 
-Shooting prepare(const PictureOptions& options, bool takeAll)
+// A built-in's parameters may hold a dot, count=1.5: only what stands before the parenthesis tells a path.
+std::shared_ptr<const Scene> openScene(const std::string& text)
 {
-    Opened opened = openShooting(options);
+    if (!looksLikePath(std::string_view(text).substr(0, text.find_first_of("(:"))))
+        return std::make_shared<const Scene>(buildScene(text));
+    return std::make_shared<const Scene>(loadScene(text));
+}
+
+Shooting prepare(const PictureOptions& options, bool takeAll, std::shared_ptr<const Scene> scene)
+{
+    Opened opened = openShooting(options, std::move(scene));
     const std::optional<ViewFile>& viewFile = opened.viewFile;
     Shooting& shooting = opened.shooting;
     const double time = options.time ? *options.time : viewFile && viewFile->time ? *viewFile->time : 0.0;

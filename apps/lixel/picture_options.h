@@ -54,8 +54,12 @@ struct Shooting
         planes; // of interest: the scene's, and the view file's, which go before those of the same name
 };
 
-// Throws InputError, UsageError. `takeAll`: a built-in scene without --view gives all its views, else its first.
-Shooting prepare(const PictureOptions& options, bool takeAll);
+// What SCENE means: a built-in scene, or a file. Throws InputError, UsageError.
+std::shared_ptr<const Scene> openScene(const std::string& text);
+
+// Throws InputError, UsageError. `takeAll`: a built-in scene without --view gives all its views, else its first. `scene`: what
+// options.scene names, where it is open already.
+Shooting prepare(const PictureOptions& options, bool takeAll, std::shared_ptr<const Scene> scene = nullptr);
 
 inline constexpr int kFramesOfPath = 30; // where nothing else is said
 inline constexpr int kMostFramesOfPath = 100'000;

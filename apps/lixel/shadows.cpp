@@ -20,13 +20,12 @@ namespace lixel::app {
 
 namespace {
 
-std::vector<GivenLight> readGiven(const Technique& technique)
+std::vector<GivenLight> readGiven(const Technique& technique, const std::filesystem::path& folder)
 {
-    const MapTechnique* map = mapsOf(technique);
-    if (!map) return {};
-    if (const auto* matrix = std::get_if<MatrixFit>(&map->fit)) return readPlanFile(matrix->file, false);
-    if (const auto* plan = std::get_if<PlanFit>(&map->fit)) return readPlanFile(plan->file, true);
-    return {};
+    const std::string file = fileNamedBy(technique);
+    if (file.empty()) return {};
+    return readPlanFile((folder / file).string(),
+                        std::holds_alternative<PlanFit>(mapsOf(technique)->fit));
 }
 
 // What a plan is made from, without memory.
@@ -81,18 +80,33 @@ FramePlan planWithLights(PlanInput input, const PlanSubject& subject, Executor& 
 
 } // namespace
 
+std::string fileNamedBy(const Technique& technique)
+{
+    const auto* map = std::get_if<MapTechnique>(&technique);
+    if (!map) return {};
+    if (const auto* matrix = std::get_if<MatrixFit>(&map->fit)) return matrix->file;
+    if (const auto* plan = std::get_if<PlanFit>(&map->fit)) return plan->file;
+    return {};
+}
+
+TechniqueChoice chooseTechnique(const std::string& text, const std::filesystem::path& folder)
+{
+    const auto technique = parseTechnique(text);
+    if (!technique) throw UsageError(technique.error());
+    return {text, *technique, readGiven(*technique, folder)};
+}
+
 std::vector<TechniqueChoice> readTechniques(const std::string& list)
 {
     const auto texts = splitTechniques(list);
     if (!texts) throw UsageError(texts.error());
     std::vector<TechniqueChoice> out;
     for (const std::string& text : *texts) {
-        const auto technique = parseTechnique(text);
-        if (!technique) throw UsageError(technique.error());
+        TechniqueChoice choice = chooseTechnique(text);
         for (const TechniqueChoice& other : out)
-            if (other.technique == *technique)
+            if (other.technique == choice.technique)
                 throw UsageError(fmt::format("technique \"{}\" is the same as \"{}\"", text, other.typed));
-        out.push_back({text, *technique, readGiven(*technique)});
+        out.push_back(std::move(choice));
     }
     return out;
 }

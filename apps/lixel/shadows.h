@@ -7,6 +7,7 @@
 #include "picture_options.h"
 #include "text.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,12 @@ struct TechniqueChoice
 
 // Throws UsageError for text, InputError for files.
 std::vector<TechniqueChoice> readTechniques(const std::string& list);
+
+// One technique; the files that it names are relative to `folder`. Likewise.
+TechniqueChoice chooseTechnique(const std::string& text, const std::filesystem::path& folder = {});
+
+// What it takes from a file: the file's name as it was typed, or nothing.
+std::string fileNamedBy(const Technique& technique);
 
 // Refuses names of planes that the scene does not have, with those it has.
 void expectPlanes(std::span<const TechniqueChoice> techniques, const Shooting& shooting);

@@ -5,6 +5,7 @@
 #include "exit_code.h"
 #include "option_checks.h"
 #include "output.h"
+#include "sweep/sweep.h"
 
 #include <array>
 #include <memory>
@@ -68,6 +69,9 @@ int runStudy(const StudyCommand& command)
     return command.study.run(options);
 }
 
+// A file's name has a / or a .; what else it may be, no study has that name.
+bool isFile(const std::string& name) { return name.find_first_of("/.") != name.npos; }
+
 int listOrRefuse(const std::string& name)
 {
     std::string known;
@@ -75,7 +79,11 @@ int listOrRefuse(const std::string& name)
         if (name.empty()) fmt::print("{}\n  {}\n", study.name, study.question);
         known += fmt::format("{}{}", known.empty() ? "" : ", ", study.name);
     }
-    if (!name.empty()) throw UsageError(fmt::format("study \"{}\": no such study (known: {})", name, known));
+    if (!name.empty())
+        throw UsageError(
+            fmt::format("study \"{}\": no such study (known: {}); a file's name has a / or a .", name, known));
+    fmt::print("FILE.json\n  A study of your own: scenes, views, lights, techniques, budgets and sizes "
+               "(docs/studies.md).\n");
     return kDone;
 }
 
@@ -112,11 +120,13 @@ std::span<const Study> studies()
 
 Command addStudy(CLI::App& parent, const std::string& commandLine)
 {
-    auto name = std::make_shared<std::string>();
+    auto sweep = std::make_shared<SweepOptions>();
+    sweep->commandLine = commandLine;
     auto commands = std::make_shared<std::vector<StudyCommand>>();
-    CLI::App* app = parent.add_subcommand("study", "questions about the techniques; without a name, the list of them");
+    CLI::App* app = parent.add_subcommand(
+        "study", "questions about the techniques: by name, or by a file of your own; without either, the list of them");
     app->require_subcommand(0, 1);
-    app->add_option("NAME", *name)->group(""); // what is the name of no study
+    addSweepOptions(*app, *sweep);
     for (const Study& study : studies()) {
         auto options = std::make_shared<StudyOptions>();
         options->commandLine = commandLine;
@@ -124,10 +134,13 @@ Command addStudy(CLI::App& parent, const std::string& commandLine)
         addOptions(*own, study, *options);
         commands->push_back({study, own, std::move(options)});
     }
-    return {app, [name, commands] {
+    return {app, [app, sweep, commands] {
                 for (const StudyCommand& command : *commands)
                     if (command.app->parsed()) return runStudy(command);
-                return listOrRefuse(*name);
+                if (isFile(sweep->file)) return runSweep(*sweep);
+                if (sweep->file.empty() && app->count_all() > 1)
+                    throw UsageError("study: its options are for a FILE (lixel study --help)");
+                return listOrRefuse(sweep->file);
             }};
 }
 

@@ -146,8 +146,9 @@ void fillTemplate(AtomicFile& file, std::string_view text, const std::function<v
     }
 }
 
-// The page numbers rows as the JSON has them.
-void writePage(const fs::path& folder, const std::string& json, std::vector<ResultRow> rows)
+// The page numbers rows as the JSON has them. `page` is the template's name.
+void writePage(const fs::path& folder, const std::string& json, std::vector<ResultRow> rows,
+               std::string_view page = "report.html")
 {
     sortByKey(rows);
     AtomicFile file(folder / "report.html");
@@ -160,7 +161,7 @@ void writePage(const fs::path& folder, const std::string& json, std::vector<Resu
              for (std::size_t row = 0; row < rows.size(); ++row) pictures.write(row, rows[row]);
          }},
     };
-    fillTemplate(file, textNamed(reportPage(), "report.html"), [&](std::string_view name) {
+    fillTemplate(file, textNamed(reportPage(), page), [&](std::string_view name) {
         if (const auto part = parts.find(name); part != parts.end()) part->second();
         else file.write(textNamed(reportPage(), name));
     });
@@ -182,5 +183,15 @@ void writeReport(const fs::path& folder, const Reproduction& reproduction)
 void writeReport(const fs::path& folder, const PlaneBudget& study) { writePage(folder, toJson(study), study.run.rows); }
 
 void writeReport(const fs::path& folder, const LookupStudy& study) { writePage(folder, toJson(study), study.run.rows); }
+
+void writeReport(const fs::path& folder, const SweepResults& sweep)
+{
+    writePage(folder, toJson(sweep), {}, "sweep.html");
+}
+
+void writeReport(const fs::path& folder, const BenchResults& bench)
+{
+    writePage(folder, toJson(bench), {}, "bench.html");
+}
 
 } // namespace lixel

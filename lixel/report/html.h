@@ -2,8 +2,10 @@
 #pragma once
 
 #include "lixel/report/lookups.h"
+#include "lixel/report/bench.h"
 #include "lixel/report/plane_budget.h"
 #include "lixel/report/reproduction.h"
+#include "lixel/report/sweep.h"
 
 #include <filesystem>
 
@@ -22,5 +24,11 @@ void writeReport(const std::filesystem::path& folder, const PlaneBudget& study);
 
 // The same with every lookup's errors against what it takes.
 void writeReport(const std::filesystem::path& folder, const LookupStudy& study);
+
+// Of a sweep: plots of error, cost and growth, and its rows.
+void writeReport(const std::filesystem::path& folder, const SweepResults& sweep);
+
+// Of a bench: plots of growth, with their exponents.
+void writeReport(const std::filesystem::path& folder, const BenchResults& bench);
 
 } // namespace lixel

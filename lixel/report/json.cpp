@@ -171,6 +171,11 @@ Json rowJson(const ResultRow& of, const std::string& lixelVersion)
 
 } // namespace
 
+std::string toJson(const ResultRow& row, const std::string& lixelVersion)
+{
+    return rowJson(row, lixelVersion).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string toJson(const RunResults& results)
 {
     std::vector<ResultRow> sorted = results.rows;

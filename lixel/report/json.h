@@ -15,4 +15,7 @@ inline constexpr int kResultsVersion = 1;
 // null, bytes that are not UTF-8 the replacement character.
 std::string toJson(const RunResults& results);
 
+// One row as `results` there has it, in one line without a break.
+std::string toJson(const ResultRow& row, const std::string& lixelVersion);
+
 } // namespace lixel

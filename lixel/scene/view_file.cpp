@@ -78,27 +78,6 @@ Light readLight(const JsonPlace& place)
     return light;
 }
 
-// Lights without a name are "light", "light-2", ...; names tell lights apart in results.
-std::vector<Light> readLights(const JsonPlace& file)
-{
-    std::vector<JsonPlace> places;
-    if (const auto one = file.find("light")) places = {*one};
-    if (const auto several = file.find("lights")) {
-        if (!places.empty()) file.refuse("expected one of \"light\" and \"lights\"");
-        places = several->elements(1);
-    }
-    std::vector<Light> lights;
-    std::set<std::string> names;
-    for (const JsonPlace& place : places) {
-        Light light = readLight(place);
-        if (!place.has("name") && !lights.empty()) light.name = fmt::format("light-{}", lights.size() + 1);
-        if (!names.insert(light.name).second)
-            place.refuse(fmt::format("expected another name: \"{}\" is taken", light.name));
-        lights.push_back(light);
-    }
-    return lights;
-}
-
 NamedPlane readPlane(const JsonPlace& place)
 {
     place.expectMembers({"name", "point", "normal", "polygon"});
@@ -189,6 +168,27 @@ std::vector<PathKey> readPath(const JsonPlace& place, const ViewFile& file)
 }
 
 } // namespace
+
+// Lights without a name are "light", "light-2", ...; names tell lights apart in results.
+std::vector<Light> readLights(const JsonPlace& file)
+{
+    std::vector<JsonPlace> places;
+    if (const auto one = file.find("light")) places = {*one};
+    if (const auto several = file.find("lights")) {
+        if (!places.empty()) file.refuse("expected one of \"light\" and \"lights\"");
+        places = several->elements(1);
+    }
+    std::vector<Light> lights;
+    std::set<std::string> names;
+    for (const JsonPlace& place : places) {
+        Light light = readLight(place);
+        if (!place.has("name") && !lights.empty()) light.name = fmt::format("light-{}", lights.size() + 1);
+        if (!names.insert(light.name).second)
+            place.refuse(fmt::format("expected another name: \"{}\" is taken", light.name));
+        lights.push_back(light);
+    }
+    return lights;
+}
 
 ViewFile readViewFile(const std::string& path)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lixel/base/light.h"
 #include "lixel/base/vec.h"
 
 #include <nlohmann/json.hpp>
@@ -36,6 +37,7 @@ public:
 
     std::vector<JsonPlace> elements(std::size_t least) const;
     bool isArray() const { return value_->is_array(); }
+    bool isObject() const { return value_->is_object(); }
 
     double number() const;                  // finite, at most kMostAbsolute
     double numberAbove(double least) const; // likewise and > least
@@ -49,6 +51,9 @@ private:
     std::string pointer_;
     const std::string* file_;
 };
+
+// What a view file has under "light" or "lights"; none where it has neither.
+std::vector<Light> readLights(const JsonPlace& file);
 
 // Throws InputError with line and column where `text` is no JSON, is not UTF-8, or gives a member twice.
 nlohmann::json parseJson(std::string_view text, const std::string& file);

@@ -82,7 +82,7 @@ void await(pid_t process, const CommandOptions& options, CommandResult& result)
     rusage used{};
     bool wasInterrupted = false;
     while (wait4(process, &status, options.interruptWhen ? WNOHANG : 0, &used) == 0) {
-        if (!wasInterrupted && options.interruptWhen()) wasInterrupted = kill(process, SIGINT) == 0;
+        if (!wasInterrupted && options.interruptWhen()) wasInterrupted = kill(process, options.signal) == 0;
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -15,7 +16,8 @@ struct CommandOptions
     std::filesystem::path folder;                   // to run in; empty: this process's
     std::map<std::string, std::string> environment; // besides this process's
     std::filesystem::path printTo;                  // standard output goes there; empty: into the result
-    std::function<bool()> interruptWhen;            // asked again and again; then it gets one SIGINT, as by Ctrl-C
+    std::function<bool()> interruptWhen;            // asked again and again; then it gets one signal
+    int signal = SIGINT;                            // as by Ctrl-C
 };
 
 struct CommandResult

@@ -34,6 +34,8 @@ TEST(Report, OfAnExperimentIsUsableInABrowserFromAFile)
 {
     useInABrowser<Reproduction>(sampleReproduction, "experiment");
 }
+TEST(Report, OfASweepIsUsableInABrowserFromAFile) { useInABrowser<SweepResults>(sampleSweep, "sweep"); }
+TEST(Report, OfABenchIsUsableInABrowserFromAFile) { useInABrowser<BenchResults>(sampleBench, "bench"); }
 TEST(Report, OfAStudyIsUsableInABrowserFromAFile) { useInABrowser<PlaneBudget>(samplePlaneBudget, "study"); }
 TEST(Report, OfLookupsIsUsableInABrowserFromAFile) { useInABrowser<LookupStudy>(sampleLookups, "lookups"); }
 

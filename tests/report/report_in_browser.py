@@ -358,6 +358,47 @@ def budgets_show(page):
     check(none, "no error lies lowest")
 
 
+def plots_show(page):
+    """A dot for each point of every line, and titles that say what it is; choosing one value leaves fewer rows in them."""
+    dots = "return [...document.querySelectorAll('.charts svg')].map(svg => svg.querySelectorAll('circle').length)"
+    page.wait_for("the plots are drawn", "return document.querySelectorAll('.charts circle').length > 10")
+    seen = page.run(dots)
+    # All that a sweep may have; of a bench four quantities by two axes.
+    check(len(seen) == 8 and min(seen) >= 3, f"every plot has its lines: {seen}")
+    titles = page.run("return [...document.querySelectorAll('.charts circle title')].map(t => t.textContent)")
+    check(all(re.search(r"[\d\u2013]", title) for title in titles), f"a dot says its value: {titles[:3]}")
+    outside = page.run("return [...document.querySelectorAll('.charts svg')].filter(svg => { const b = svg.viewBox.baseVal;"
+                       " return [...svg.querySelectorAll('circle')].some(c => !(c.cx.baseVal.value >= 0"
+                       " && c.cx.baseVal.value <= b.width && c.cy.baseVal.value >= 0 && c.cy.baseVal.value <= b.height)); })"
+                       ".length")
+    check(outside == 0, f"no dot lies outside its plot: {outside}")
+
+
+def sweep_is_chosen_from(page):
+    if page.run("return !run.sweep"):
+        return
+    zero = page.run("return [...document.querySelectorAll('#plots circle')].some(c => c.textContent.endsWith(': 0 %'))")
+    check(zero, "no error at all is drawn too")
+    before = page.run("return document.querySelectorAll('#plots figure').length")
+    page.run("const s = document.getElementById('choose-size'); s.selectedIndex = 1; s.dispatchEvent(new Event('change'))")
+    after = page.run("return [...document.querySelectorAll('#plots figcaption')].map(c => c.textContent)")
+    check(len(after) == before - 2 and not any("by pixels" in title for title in after),
+          f"of one size there is no growth with pixels: {after}")
+    told = page.run("return document.getElementById('plots').innerText")
+    check("some technique refused" in told, f"what is left out is told: {told}")
+    page.run("const s = document.getElementById('choose-size'); s.selectedIndex = 0; s.dispatchEvent(new Event('change'))")
+    text = page.run("return document.getElementById('sweep-question').textContent")
+    check(text == "Does <b>everything</b> grow?", f"text stays text: {text}")
+
+
+def bench_has_exponents(page):
+    if page.run("return !run.axes"):
+        return
+    cells = page.run("return [...document.querySelectorAll('#axes tbody tr:first-child')].map(row => row.innerText)")
+    check(all("0.50" in cell and "1.00" in cell for cell in cells), f"exponents stand in the table: {cells}")
+    check(page.run("return document.getElementById('skipped-table').innerText").count("3 years") == 2, "what is left out says why")
+
+
 def command_stands_there(page):
     shown = page.run("return document.getElementById('command').textContent")
     check(shown.startswith("lixel "), f"the command is shown: {shown}")
@@ -366,6 +407,8 @@ def command_stands_there(page):
 
 
 def refusals_are_told(page):
+    if page.run("return !run.results"):
+        return
     told = page.run("return run.results.filter(r => r.refused).every(r => "
                     "document.getElementById('refused').innerText.includes(r.refused.message))")
     check(told, "each refusal is shown with its message")
@@ -397,6 +440,14 @@ STEPS = [
     budgets_show, lookups_show,
     command_stands_there, refusals_are_told, fits_every_width, needs_nothing_from_outside, console_is_quiet,
 ]
+STEPS_OF_PLOTS = [  # pages of sweeps and benches, which have no pictures
+    plots_show, sweep_is_chosen_from, bench_has_exponents, command_stands_there, refusals_are_told, fits_every_width,
+    needs_nothing_from_outside, console_is_quiet,
+]
+
+
+def has_pictures(page):
+    return page.run("return document.getElementById('pictures') !== null")
 
 
 def take_screenshots(page, folder):
@@ -413,8 +464,11 @@ def take_screenshots(page, folder):
     for name, width, theme in (("wide", 1400, "light"), ("dark", 1400, "dark"), ("phone", 390, "light")):
         page.look_like(width, 900, theme)
         page.call("POST", "/refresh", {})
-        pictures_appear(page)
+        if has_pictures(page):
+            pictures_appear(page)
         shoot(name)
+    if not has_pictures(page):
+        return
     page.look_like(1400, 1000, "light")
     page.click("#show-density")
     page.run("zoomBy(6, 0.45, 0.6); document.getElementById('pictures').scrollIntoView()")
@@ -436,7 +490,7 @@ def main():
     try:
         with Browser(driver, chromium) as page:
             page.call("POST", "/url", {"url": arguments.report.resolve().as_uri()})
-            for step in STEPS:
+            for step in STEPS if has_pictures(page) else STEPS_OF_PLOTS:
                 print(step.__name__.replace("_", " "), flush=True)
                 step(page)
             if arguments.screenshots:

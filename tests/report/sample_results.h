@@ -2,8 +2,10 @@
 #pragma once
 
 #include "lixel/report/lookups.h"
+#include "lixel/report/bench.h"
 #include "lixel/report/plane_budget.h"
 #include "lixel/report/reproduction.h"
+#include "lixel/report/sweep.h"
 
 #include <filesystem>
 #include <string>
@@ -45,5 +47,12 @@ PlaneBudget samplePlaneBudget(const std::filesystem::path& folder, int size);
 
 // A made-up study: four lookups, one without a filter's truth, one without times.
 LookupStudy sampleLookups(const std::filesystem::path& folder, int size);
+
+// A made-up sweep: two scenes of different size, two views, three techniques at three budgets and two sizes, with one and four
+// lights; one technique is refused in a view, and one without errors where lixels are many. Nothing is written.
+SweepResults sampleSweep(const std::filesystem::path& folder, int size);
+
+// A made-up bench: two axes, three techniques of known growth; the last point of one is left out.
+BenchResults sampleBench(const std::filesystem::path& folder, int size);
 
 } // namespace lixel::test

@@ -1,29 +1,13 @@
-// The head of the page, and means over its views.
+// Means over the views of the page.
 
 function showHead() {
-  const valuesOf = key => [...new Set(run.results.map(row => row[key]))].join(", ");
-  const facts = {
+  const valuesOf = key => [...new Set(run.results.map(row => row[key]))].filter(value => value !== "").join(", ");
+  showFacts({
     Scene: valuesOf("scene"), Picture: valuesOf("size"), "Lixels a light": valuesOf("lixels"),
     Executor: valuesOf("executor"), Seed: run.seed, lixel: run.lixel_version, Made: run.timing.date,
     On: run.timing.host,
-  };
-  byId("facts").append(...Object.entries(facts).filter(([, value]) => value !== "")
-    .map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, String(value)))));
+  });
   document.title = `lixel: ${valuesOf("scene")}`;
-  byId("command").textContent = run.command;
-  byId("copy").addEventListener("click", copyCommand);
-}
-
-// From a file the clipboard may be refused; the command is then selected, ready for the keyboard.
-async function copyCommand() {
-  try {
-    await navigator.clipboard.writeText(run.command);
-    byId("copy").textContent = "Copied";
-  } catch {
-    getSelection().selectAllChildren(byId("command"));
-    byId("copy").textContent = "Selected";
-  }
-  setTimeout(() => { byId("copy").textContent = "Copy"; }, 2000);
 }
 
 const kLayers = [["False shadow", "false_shadow"], ["False lit", "false_lit"]];
