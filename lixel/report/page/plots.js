@@ -93,10 +93,12 @@ function plainTicks(low, high) {
   return ticks;
 }
 
-// Powers of two, of bytes: at most eight.
+// Powers of two, of bytes: at most eight; with quarters between them where the range is short.
 function doublings(low, high) {
-  const step = Math.ceil(Math.log2(high / low) / 8), ticks = [];
-  for (let power = Math.ceil(Math.log2(low)); power <= Math.log2(high); power += step) ticks.push({at: 2 ** power});
+  const range = Math.log2(high / low), step = Math.ceil(range / 8), ticks = [];
+  const factors = range > 3 ? [1] : range > 1.5 ? [1, 1.5] : [1, 1.125, 1.25, 1.375, 1.5, 1.625, 1.75, 1.875];
+  for (let power = Math.floor(Math.log2(low)); power <= Math.log2(high); power += step)
+    ticks.push(...factors.map(factor => ({at: factor * 2 ** power})).filter(({at}) => at >= low && at <= high));
   return ticks;
 }
 

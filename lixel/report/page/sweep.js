@@ -3,6 +3,7 @@
 const kMostRowsShown = 2000;
 const facts = run.sweep;
 const shapes = new Map(); // how a technique's line looks
+const withMap = measured.filter(row => row.lixels !== ""); // without one there is nothing that could be drawn over lixels or cost
 
 // What rows can be chosen by, where the study has several.
 const choices = [["Scene", "scene"], ["View", "view"], ["Time", "time_seconds"], ["Lights", "lights"],
@@ -30,7 +31,7 @@ const valueOf = (row, name) => name === "pixels" ? pixelsOf(row) : name === "fra
 
 function chosenRows() {
   const wanted = choices.map(([, key]) => [key, byId(`choose-${key}`).value]).filter(([, value]) => value !== "");
-  return measured.filter(row => wanted.every(([key, value]) => String(row[key]) === value));
+  return withMap.filter(row => wanted.every(([key, value]) => String(row[key]) === value));
 }
 
 // Lines of one plot, a technique each. Means are over the places that all techniques have at every step, where there are any:
@@ -56,7 +57,7 @@ function linesOf(plot, rows) {
 
 function showPlots() {
   const rows = chosenRows();
-  const isThere = plot => plot.needs.every(key => differ(rows.filter(row => row.lixels), key))
+  const isThere = plot => plot.needs.every(key => differ(rows, key))
     && rows.some(row => isNumber(valueOf(row, plot.x)) && isNumber(valueOf(row, plot.y)));
   byId("plots").replaceChildren(...plots.filter(isThere).map(plot => {
     const {lines, leftOut, isWhole} = linesOf(plot, rows);
@@ -100,7 +101,7 @@ function showSweepRows() {
 showHead();
 byId("sweep-title").textContent = facts.name;
 byId("sweep-question").textContent = facts.question;
-[...new Set(measured.map(row => row.technique))].forEach((technique, index) => shapes.set(technique, lineLook(index)));
+[...new Set(withMap.map(row => row.technique))].forEach((technique, index) => shapes.set(technique, lineLook(index)));
 byId("keys").append(...[...shapes].map(([technique, look]) => lineKey(technique, look)));
 showChoices();
 showPlots();
