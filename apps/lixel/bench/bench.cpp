@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* kTechniques =
     "uniform,focused,focused+pcf(9),focused+depths(4),focused+vsm,lispsm,pssm(4),sdsm(4),"
-    "planes(floor)+plane-optimal,scene-optimal,rtw,now";
+    "planes(floor)+plane-optimal,scene-optimal,rtw,now,shadow-volumes";
 constexpr const char* kQuickTechniques = "focused,focused+pcf(9),pssm(4),scene-optimal,now";
 constexpr int kFrames = 9, kQuickFrames = 3;
 constexpr double kMemoryShare = 0.8; // of what is left, that a row may be expected to take

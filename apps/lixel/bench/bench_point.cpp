@@ -59,16 +59,26 @@ BenchStage::BenchStage(const BenchPoint& point, const std::string& executor) : p
 
 BenchStage::Outcome BenchStage::measure(const TechniqueChoice& technique, int frames) const
 {
-    if (!std::holds_alternative<MapTechnique>(technique.technique)) return {{}, "has no map whose cost there would be"};
+    const bool hasVolumes = std::holds_alternative<ShadowVolumesTechnique>(technique.technique);
+    if (!hasVolumes && !std::holds_alternative<MapTechnique>(technique.technique))
+        return {{}, "makes nothing whose cost there would be"};
     const PeakMemory peak;
     try {
         const auto executor = makeExecutor(executor_);
         const ViewSamples samples = executor->viewSamples(stage_, view_);
+        BenchRow::Measured measured;
+        if (hasVolumes) {
+            const auto visibility = executor->shadowVolumes(stage_, view_, shot_.lights, samples);
+            if (!visibility) return {{}, "refused: " + visibility.error().message};
+            measured.timing = executor->timeVolumes(stage_, view_, shot_.lights, frames, false);
+            measured.peakResidentBytes = peak.bytes();
+            measured.deviceBytes = executor->deviceBytes();
+            return {measured, ""};
+        }
         const PlanSubject subject{stage_, view_, shot_.lights, shooting_.planes, samples};
         const LixelBudget lixels{{point_.mapSide, point_.mapSide}, {}};
         const FramePlan plan = *planFor(technique, subject, lixels, *executor);
         if (const std::string refusal = refusalOf(plan); !refusal.empty()) return {{}, refusal};
-        BenchRow::Measured measured;
         measured.planMs = planningMs(technique, subject, lixels, *executor, frames);
         measured.timing = executor->time(stage_, plan, view_, frames);
         for (std::size_t light = 0; light < plan.lights.size(); ++light) measured.lixelsUsed += plan.lixelsOf(light);

@@ -3,7 +3,7 @@
 const kMostRowsShown = 2000;
 const facts = run.sweep;
 const shapes = new Map(); // how a technique's line looks
-const withMap = measured.filter(row => row.lixels !== ""); // without one there is nothing that could be drawn over lixels or cost
+const drawn = measured.filter(row => row.lixels !== "" || isNumber(row.timing.frame_ms)); // not exact visibility
 
 // What rows can be chosen by, where the study has several.
 const choices = [["Scene", "scene"], ["View", "view"], ["Time", "time_seconds"], ["Lights", "lights"],
@@ -31,20 +31,28 @@ const valueOf = (row, name) => name === "pixels" ? pixelsOf(row) : name === "fra
 
 function chosenRows() {
   const wanted = choices.map(([, key]) => [key, byId(`choose-${key}`).value]).filter(([, value]) => value !== "");
-  return withMap.filter(row => wanted.every(([key, value]) => String(row[key]) === value));
+  return drawn.filter(row => wanted.every(([key, value]) =>
+    String(row[key]) === value || (key === "lixels" && row.lixels === "")));
 }
 
 // Lines of one plot, a technique each. Means are over the places that all techniques have at every step, where there are any:
 // only then can they be held against each other.
 function linesOf(plot, rows) {
   const usable = rows.filter(row => isNumber(valueOf(row, plot.x)) && isNumber(valueOf(row, plot.y)));
+  const budgeted = usable.filter(row => row.lixels !== "");
   const stepOf = row => plot.along.includes("lixels") ? row.lixels : String(valueOf(row, plot.x));
-  const placeOf = row => JSON.stringify(kKeys.filter(key => !plot.along.includes(key)).map(key => row[key]));
-  const steps = new Set(usable.map(stepOf)), techniques = new Set(usable.map(row => row.technique_full));
-  const met = groupBy(usable, placeOf);
+  const placeOf = (row, ...without) => JSON.stringify(
+    kKeys.filter(key => !plot.along.includes(key) && !without.includes(key)).map(key => row[key]));
+  const steps = new Set(budgeted.map(stepOf)), techniques = new Set(budgeted.map(row => row.technique_full));
+  const met = groupBy(budgeted, row => placeOf(row));
   const isWhole = rows => new Set(rows.map(row => stepOf(row) + row.technique_full)).size === steps.size * techniques.size;
-  const whole = new Set([...met].filter(([, rows]) => isWhole(rows)).map(([place]) => place));
-  const compared = whole.size ? usable.filter(row => whole.has(placeOf(row))) : usable;
+  const whole = [...met.values()].filter(isWhole).flat();
+  // What has no map belongs to every budget, and to no growth with lixels.
+  const pictures = new Set(whole.map(row => placeOf(row, "lixels")));
+  const unbudgeted = plot.along.includes("lixels") ? []
+    : usable.filter(row => row.lixels === "" && (!whole.length || pictures.has(placeOf(row, "lixels"))));
+  const compared = [...(whole.length ? whole : budgeted), ...unbudgeted];
+  const leftOut = whole.length ? met.size - new Set(whole.map(row => placeOf(row))).size : 0;
   const lines = [...groupBy(compared, row => row.technique)].map(([technique, rows]) => ({
     label: technique, ...shapes.get(technique), points: [...groupBy(rows, stepOf).values()].map(rows => {
       const x = mean(rows.map(row => valueOf(row, plot.x))), y = mean(rows.map(row => valueOf(row, plot.y)));
@@ -52,7 +60,7 @@ function linesOf(plot, rows) {
       return {x, y, title: `${technique}, ${numberText(x)} ${plot.unit}: ${value}`};
     }).filter(point => point.x > 0).sort((a, b) => a.x - b.x),
   }));
-  return {lines, leftOut: whole.size ? met.size - whole.size : 0, isWhole: whole.size > 0};
+  return {lines, leftOut, isWhole: whole.length > 0};
 }
 
 function showPlots() {
@@ -101,7 +109,7 @@ function showSweepRows() {
 showHead();
 byId("sweep-title").textContent = facts.name;
 byId("sweep-question").textContent = facts.question;
-[...new Set(withMap.map(row => row.technique))].forEach((technique, index) => shapes.set(technique, lineLook(index)));
+[...new Set(drawn.map(row => row.technique))].forEach((technique, index) => shapes.set(technique, lineLook(index)));
 byId("keys").append(...[...shapes].map(([technique, look]) => lineKey(technique, look)));
 showChoices();
 showPlots();
