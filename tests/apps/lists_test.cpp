@@ -30,7 +30,7 @@ TEST(Lists, VersionIsOneLine)
 TEST(Lists, HelpNamesEveryCommandAndItsOptions)
 {
     const std::string help = printed({"--help"});
-    for (const char* command : {"render", "compare", "reproduce", "study", "techniques", "scenes"}) {
+    for (const char* command : {"render", "compare", "reproduce", "study", "merge", "bench", "techniques", "scenes"}) {
         EXPECT_TRUE(holds(help, command));
         EXPECT_TRUE(holds(printed({command, "--help"}), command));
     }

@@ -77,7 +77,7 @@ void expectMention(const std::string& line, const std::string& word)
 
 TEST_F(RefusedInput, CommandsAndOptionsMustBeKnown)
 {
-    expectMention(refusal({}, kBadUsage), "render, compare, reproduce, study, techniques, scenes");
+    expectMention(refusal({}, kBadUsage), "render, compare, reproduce, study, merge, bench, techniques, scenes");
     expectMention(refusal({"paint"}, kBadUsage), "\"paint\": no such command");
     expectMention(refusal({"--paint"}, kBadUsage), "lixel --help");
     expectMention(refusal({"render"}, kBadUsage), "SCENE");
