@@ -24,8 +24,7 @@ std::vector<GivenLight> readGiven(const Technique& technique, const std::filesys
 {
     const std::string file = fileNamedBy(technique);
     if (file.empty()) return {};
-    return readPlanFile((folder / file).string(),
-                        std::holds_alternative<PlanFit>(mapsOf(technique)->fit));
+    return readPlanFile((folder / file).string(), std::holds_alternative<PlanFit>(mapsOf(technique)->fit));
 }
 
 // What a plan is made from, without memory.
@@ -82,7 +81,7 @@ FramePlan planWithLights(PlanInput input, const PlanSubject& subject, Executor& 
 
 std::string fileNamedBy(const Technique& technique)
 {
-    const auto* map = std::get_if<MapTechnique>(&technique);
+    const MapTechnique* map = mapsOf(technique);
     if (!map) return {};
     if (const auto* matrix = std::get_if<MatrixFit>(&map->fit)) return matrix->file;
     if (const auto* plan = std::get_if<PlanFit>(&map->fit)) return plan->file;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lixel/report/lookups.h"
 #include "lixel/report/bench.h"
+#include "lixel/report/lookups.h"
 #include "lixel/report/plane_budget.h"
 #include "lixel/report/reproduction.h"
 #include "lixel/report/sweep.h"
