@@ -18,7 +18,7 @@ struct CountedRegion
 
     explicit CountedRegion(const PlannedRegion& of)
         : region(of),
-          image(of.lightClipFromLocal, of.rectangle, &of.warp),
+          image(of.projection(), of.rectangle, &of.warp),
           counts(std::size_t(of.rectangle.width()) * std::size_t(of.rectangle.height()), 0)
     {
     }

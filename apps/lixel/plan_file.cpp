@@ -122,6 +122,11 @@ nlohmann::json toJson(const PlannedRegion& region, Vec3d originWorld)
     const LixelRectangle& r = region.rectangle;
     nlohmann::json out;
     out["lightClipFromWorld"] = rowsOf(region.lightClipFromLocal * translation(-originWorld));
+    if (const auto& p = region.paraboloid)
+        out["paraboloid"] = {{"centre", {p->centre.x, p->centre.y}},
+                             {"halfSize", {p->halfSize.x, p->halfSize.y}},
+                             {"near", p->near},
+                             {"far", p->far}};
     out["rectangle"] = {r.x0, r.y0, r.x1, r.y1};
     out["halfSpaces"] = nlohmann::json::array();
     for (const Plane& p : region.halfSpacesLocal)

@@ -13,6 +13,7 @@
 //   lights      [{"name": text, for any light where it is left out
 //                 , "lightClipFromWorld": 4 rows of 4, applied to columns                        for matrix(file)
 //                 | "regions": [{"lightClipFromWorld": likewise
+//                                , "paraboloid": {...} where there is one, which is written and not read
 //                                , "rectangle": [x0, y0, x1, y1] lixels, ends not included, row 0 at the bottom
 //                                , "halfSpaces": [[nx, ny, nz, d], ...] world, inside where n . p + d >= 0}]   in the order they serve
 //                }]

@@ -198,8 +198,7 @@ ServedFootprints::ServedFootprints(const View& view, Vec3d originWorld, const Sh
     : view_(view), originWorld_(originWorld)
 {
     for (const PlannedRegion& region : plan.regions)
-        served_.push_back(
-            {LightImage(region.lightClipFromLocal, region.rectangle, &region.warp), region.halfSpacesLocal});
+        served_.push_back({LightImage(region.projection(), region.rectangle, &region.warp), region.halfSpacesLocal});
 }
 
 std::optional<Footprint> ServedFootprints::at(Vec3d pointLocal, Vec3d normal) const

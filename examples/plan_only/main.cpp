@@ -99,7 +99,7 @@ bool checkPoint(const FramePlan& plan, const View& view, std::size_t light, Vec3
     for (const PlannedRegion& region : plan.lights[light].regions) {
         // The first region that holds the point and has it on its map serves it.
         const auto holds = [&](const Plane& plane) { return plane.signedDistance(pointLocal) >= 0; };
-        const LightImage image(region.lightClipFromLocal, region.rectangle, &region.warp);
+        const LightImage image(region.projection(), region.rectangle, &region.warp);
         const std::optional<Vec3d> lixel = image.lixelAt(pointLocal);
         if (!lixel || !std::all_of(region.halfSpacesLocal.begin(), region.halfSpacesLocal.end(), holds)) continue;
         const HostRegion host = toHost(region, plan.atlas, kVulkan, kOrigin);

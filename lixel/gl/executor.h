@@ -73,7 +73,7 @@ public:
     // Bytes on the device of all buffers and textures that this thread's executors have.
     std::uint64_t deviceBytes() const;
 
-    // Bytes on the device that warps take besides their knots: what exact drawing and what making them there keeps.
+    // Bytes on the device that warps take besides their knots: what making them there needs, and then exact drawing in the same room.
     std::size_t warpBytes() const;
 
     void finish(); // waits until the device has done all that it was asked for

@@ -99,7 +99,8 @@ struct GlExecutor::State
         for (const WarpFill& fill : frame.warps) {
             gl::PassTimer::Scope scope(timer, gl::WarpFillPass::kName);
             LX_ASSERT(fill.light < frame.lights.size());
-            warpFillPass.run(frame.plan, fill, frame.view, frame.lights[fill.light], pixels, tables);
+            warpFillPass.run(frame.plan, fill, frame.view, frame.lights[fill.light], pixels, tables,
+                             lightDepthPass.warpRoom());
         }
     }
 

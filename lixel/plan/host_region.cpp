@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/plan/host_region.h"
 
+#include "lixel/base/assert.h"
+
 namespace lixel {
 
 HostRegion toHost(const PlannedRegion& region, LixelSize atlas, const ClipConvention& host, TextureOrigin origin)
 {
+    LX_ASSERT(!region.paraboloid);
     HostRegion out{toHost(region.lightClipFromLocal, host), region.rectangle, {}};
     if (origin == TextureOrigin::Top) {
         out.viewport.y0 = atlas.height - region.rectangle.y1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lixel/base/mat4.h"
+#include "lixel/plan/light_projection.h"
 
 #include <optional>
 
@@ -20,7 +20,7 @@ struct LixelRectangle
 
 struct TextureWarp; // warp/texture_warp.h
 
-// A ray of light in Local space: a point of it and the way light travels, not normalised.
+// A ray of light in Local space: a point of it and the way light travels, not normalised. On a paraboloid the point is the light.
 struct LightRay
 {
     Vec3d originLocal;
@@ -34,16 +34,16 @@ class LightImage
 {
 public:
     // The warp is kept by address; null: none.
-    LightImage(const Mat4d& lightClipFromLocal, const LixelRectangle& rectangle, const TextureWarp* warp = nullptr);
+    LightImage(const LightProjection& projection, const LixelRectangle& rectangle, const TextureWarp* warp = nullptr);
 
-    // x, y: lixel; z: NDC depth in [-1, +1], growing away from the light. Nothing where w <= 0 or outside the rectangle.
+    // x, y: lixel; z: NDC depth in [-1, +1], growing away from the light. Nothing where no ray goes or outside the rectangle.
     std::optional<Vec3d> lixelAt(Vec3d pointLocal) const;
 
     // The ray through a point of the light image. Nothing where the matrix has no inverse.
     std::optional<LightRay> rayThrough(Vec2d lixel) const;
 
     // How the receiver plane through the point lies in the light image: d lixel / d plane and d depth / d plane along two
-    // unit tangents of the plane. Needs w > 0.
+    // unit tangents of the plane. Needs a point that lixelAt() has a place for.
     struct Tangents
     {
         Vec3d lixelAndDepthAlongFirst, lixelAndDepthAlongSecond;
@@ -51,10 +51,10 @@ public:
     Tangents tangents(Vec3d pointLocal, Vec3d first, Vec3d second) const;
 
 private:
-    Vec3d unwarpedAt(Vec4d clip) const;
+    Vec3d unwarpedAt(Vec3d ndc) const;
 
-    Mat4d lightClipFromLocal_;
-    std::optional<Mat4d> localFromLightClip_;
+    LightProjection projection_;
+    std::optional<Mat4d> localFromLightClip_; // of a matrix alone
     LixelRectangle rectangle_;
     const TextureWarp* warp_; // null: the identity
 };

@@ -5,6 +5,7 @@
 #include "lixel/plan/fit/focused.h"
 #include "lixel/plan/fit/lispsm.h"
 #include "lixel/plan/fit/minimal_frustum.h"
+#include "lixel/plan/fit/paraboloid.h"
 #include "lixel/plan/fit/plane_optimal.h"
 #include "lixel/plan/fit/psm.h"
 #include "lixel/plan/fit/scene_optimal.h"
@@ -13,6 +14,7 @@
 #include "lixel/plan/fit/visible_body.h"
 #include "lixel/plan/partition/cascades.h"
 #include "lixel/plan/partition/cube.h"
+#include "lixel/plan/partition/dual_paraboloid.h"
 #include "lixel/plan/place.h"
 
 #include <algorithm>
@@ -46,8 +48,16 @@ struct CellsOf
     CellsResult operator()(const PssmPartition& p) const { return splitPssm(input, p.count, p.lambda); }
     CellsResult operator()(const SdsmPartition& p) const { return splitSdsm(input, p.count); }
     CellsResult operator()(const CubePartition&) const { return splitCube(input); }
+    CellsResult operator()(const DualParaboloidPartition&) const { return splitDualParaboloid(input); }
     CellsResult operator()(const PlanesPartition&) const { return Unexpected{FitFailure::NoSuchPlane}; }
 };
+
+// What the maps of paraboloids hold, by the fit that goes with them (technique.h has which do).
+ParaboloidExtent extentOf(const FitChoice& fit)
+{
+    if (std::holds_alternative<UniformFit>(fit)) return ParaboloidExtent::Scene;
+    return std::holds_alternative<DesiredViewFit>(fit) ? ParaboloidExtent::Samples : ParaboloidExtent::Body;
+}
 
 // Samples for energies are as many as a picture is observed by, and no more.
 constexpr std::size_t kMostEdges = 1u << 16;
@@ -227,8 +237,8 @@ LightPlanner::Candidate* LightPlanner::serving(Vec3d pointLocal, double rounding
 {
     const auto found = std::find_if(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
         if (!holdsPoint(candidate.halfSpacesLocal, pointLocal, rounding)) return false;
-        const Vec4d c = candidate.fit.lightClipFromLocal * point(pointLocal);
-        return c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z <= c.w;
+        const auto ndc = candidate.fit.projection().ndcAt(pointLocal);
+        return ndc && std::abs(ndc->x) <= 1 && std::abs(ndc->y) <= 1 && ndc->z <= 1;
     });
     return found == candidates_.end() ? nullptr : found;
 }
@@ -362,7 +372,8 @@ std::optional<FitFailure> LightPlanner::add(const Cell& cell, const FitChoice& f
     fitInput_.before = nullptr;
     if (number_ < input_.before.size() && candidates_.size() < input_.before[number_].maps.size())
         fitInput_.before = &input_.before[number_].maps[candidates_.size()];
-    const FitResult result = std::visit(FitOf{fitInput_}, fit);
+    const FitResult result = cell.paraboloidAxis ? fitParaboloid(fitInput_, *cell.paraboloidAxis, extentOf(fit))
+                                                 : std::visit(FitOf{fitInput_}, fit);
     if (!result) return result.error();
     std::optional<Fit> chosen = *result;
     if (isCropping_) chosen = cropped(*result, cell);
@@ -459,9 +470,10 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
         const LixelSize packed = packRectangles(given, layer, pieces);
         atlas = {std::max(atlas.width, packed.width), std::max(atlas.height, packed.height)};
     }
-    for (std::size_t i = 0; i < candidates_.size(); ++i)
-        regions.push_back({place(candidates_[i].fit, pieces[i], lookup, input_.originWorld,
-                                 areTurned ? std::optional(turned[i]) : std::nullopt),
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        const LightProjection placed = place(candidates_[i].fit, pieces[i], lookup, input_.originWorld,
+                                             areTurned ? std::optional(turned[i]) : std::nullopt);
+        regions.push_back({placed.lightClipFromLocal,
                            pieces[i],
                            candidates_[i].halfSpacesLocal,
                            i + 1 < candidates_.size() ? guardBand(pieces[i], lookup) : Vec2d{},
@@ -471,6 +483,8 @@ bool LightPlanner::placeAll(int layer, const LookupLayout& lookup, LixelSize& at
                            candidates_[i].pixelPlaneLocal,
                            {candidates_[i].fit.lightClipFromLocal, homogeneousWorld(fitInput_.light),
                             candidates_[i].fit.framesKept, candidates_[i].fit.rounding}});
+        regions.back().paraboloid = placed.paraboloid;
+    }
     return true;
 }
 

@@ -34,14 +34,10 @@ struct PlaneImage
 {
     Vec2d first, second;
 
-    PlaneImage(const Mat4d& image, Vec3d pointLocal, Vec3d t1, Vec3d t2)
+    PlaneImage(const LightProjection& image, Vec3d pointLocal, Vec3d t1, Vec3d t2)
     {
-        const Vec4d at = image * point(pointLocal);
-        const auto along = [&](Vec3d tangent) {
-            const Vec4d change = image * direction(tangent);
-            return Vec2d{(change.x - change.w * (at.x / at.w)) / at.w, (change.y - change.w * (at.y / at.w)) / at.w};
-        };
-        first = along(t1), second = along(t2);
+        const Vec3d a = image.ndcAlong(pointLocal, t1), b = image.ndcAlong(pointLocal, t2);
+        first = {a.x, a.y}, second = {b.x, b.y};
     }
 };
 
@@ -140,7 +136,7 @@ Need NeedPredictor::of(const Fit& fit, const NeedSample& sample) const
 {
     const Vec3d t1 = anyPerpendicular(sample.normal), t2 = cross(sample.normal, t1);
     const PlaneImage picture(pixelsFromLocal_, sample.pointLocal, t1, t2),
-        map(fit.lightClipFromLocal, sample.pointLocal, t1, t2);
+        map(fit.projection(), sample.pointLocal, t1, t2);
     // A lixel of a map of one: its square has side 2. Its sides on the surface, along t1 and t2.
     const double area = cross(map.first, map.second);
     if (!(std::abs(area) > 0)) return {sample.weight * most_, sample.weight * most_};

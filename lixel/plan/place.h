@@ -10,9 +10,9 @@ namespace lixel {
 // Puts a fit, which knows nothing of resolution, into its rectangle of the atlas: turned by a right angle where that brings its
 // longer side along the rectangle's, and shrunk so that the lookup's whole reach around every receiver stays inside (the
 // guard band). A fit that snaps to the world is moved by part of a lixel, so that lixel borders lie on one grid fixed in the world.
-// `turn` says whether it is turned, where that is known. Returns lightClipFromLocal whose NDC square is the whole rectangle.
-Mat4d place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout& lookup, Vec3d originWorld,
-            std::optional<bool> turn = {});
+// `turn` says whether it is turned, where that is known. The NDC square of what it returns is the whole rectangle.
+LightProjection place(const Fit& fit, const LixelRectangle& rectangle, const LookupLayout& lookup, Vec3d originWorld,
+                      std::optional<bool> turn = {});
 
 // Lixels at the borders of a rectangle, along x and y, from where the lookup would reach beyond it: no receiver that place() knows of lies there, but
 // for a tenth of a lixel of rounding.

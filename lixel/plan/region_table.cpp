@@ -19,20 +19,32 @@ void addPlane(const Plane& plane, const PlannedRegion& region, shared::ShadowReg
     row.planeDepth = {float(c.w), float(perX * c.x), float(perY * c.y), float(c.z)};
 }
 
+// Depth N (F / r - 1) / (F - N), reversed: NF / (F - N) over the distance, which row z has, less N / (F - N). Places on the paraboloid
+// take the place of NDC.
+void putOnParaboloid(const Paraboloid& p, const LixelRectangle& r, Mat4d& clip, shared::ShadowRegion& row)
+{
+    clip.setRow(2, {0, 0, 0, p.near * p.far / (p.far - p.near)});
+    const double perX = 0.5 * r.width() / p.halfSize.x, perY = 0.5 * r.height() / p.halfSize.y;
+    row.lixelFromNdc = {float(perX), float(perY), float(0.5 * (r.x0 + r.x1) - perX * p.centre.x),
+                        float(0.5 * (r.y0 + r.y1) - perY * p.centre.y)};
+    row.projection = {shared::LX_PROJECTION_PARABOLOID, float(p.near / (p.far - p.near)), 0, 0};
+}
+
 } // namespace
 
 shared::ShadowRegion tableRow(const PlannedRegion& region)
 {
     const LixelRectangle& r = region.rectangle;
     shared::ShadowRegion row;
-    const Mat4d clip = toHost(region.lightClipFromLocal, kExecutorConvention);
+    Mat4d clip = toHost(region.lightClipFromLocal, kExecutorConvention);
+    row.lixelFromNdc = {0.5f * float(r.width()), 0.5f * float(r.height()), float(r.x0) + 0.5f * float(r.width()),
+                        float(r.y0) + 0.5f * float(r.height())};
+    if (region.paraboloid) putOnParaboloid(*region.paraboloid, r, clip, row);
     Mat4d low;
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) low.m[i][j] = clip.m[i][j] - double(float(clip.m[i][j]));
     row.lightClipFromLocal = toShared(clip);
     row.lightClipLow = toShared(low);
-    row.lixelFromNdc = {0.5f * float(r.width()), 0.5f * float(r.height()), float(r.x0) + 0.5f * float(r.width()),
-                        float(r.y0) + 0.5f * float(r.height())};
     row.rectangle = {float(r.x0), float(r.y0), float(r.x1), float(r.y1)};
     const Vec2f guard = toFloat(region.guard);
     row.serves = {row.rectangle.x + guard.x, row.rectangle.y + guard.y, row.rectangle.z - guard.x,

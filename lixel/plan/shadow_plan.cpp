@@ -155,6 +155,7 @@ FramePlan planShadows(const PlanInput& input, FitScratch& scratch, FramePlan rec
                 i < input.seenByLights.size() ? std::span(input.seenByLights[i]) : std::span<const ViewSamples>{};
             warpRegions({input.view, input.lights[i], input.originWorld, input.seen, seenByLight, input.observed, i},
                         input.technique.warp, plan.lookup, scratch.warps, light.regions);
+            warpParaboloids(rasterOf(input.technique), scratch.warps, light.regions);
         }
         if (!light.refused) ++plan.layers;
         appendTables(light, plan);

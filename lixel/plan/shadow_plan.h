@@ -89,6 +89,9 @@ struct PlannedRegion
     std::optional<Plane> pixelPlaneLocal = {}; // of such a map: the plane, its unit normal towards the light
     RememberedMap fit = {};                    // that was placed here, for the next frame
     TextureWarp warp = {};                     // after the matrix
+    std::optional<Paraboloid> paraboloid = {}; // after the matrix, and before the warp
+
+    LightProjection projection() const { return {lightClipFromLocal, paraboloid}; }
 };
 
 // What was decided for one light.

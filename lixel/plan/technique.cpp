@@ -3,6 +3,7 @@
 
 #include "lixel/plan/exact_words.h"
 #include "lixel/plan/lookup/lookup_words.h"
+#include "lixel/plan/partition/dual_paraboloid_text.h"
 #include "lixel/plan/partition/planes.h"
 #include "lixel/plan/technique_presets.h"
 #include "lixel/plan/technique_text.h"
@@ -75,6 +76,13 @@ Answer takePartition(const Word& word, Parts& parts)
     if (!lambda || *lambda < 0 || *lambda > 1) return "pssm takes lambda = 0 to 1";
     if (!arguments.areAllTaken()) return "pssm takes a number of regions, lambda = 0 to 1 and stable";
     return setOnce(parts.partition, Partition(PssmPartition{*count, *lambda}), "partition");
+}
+
+Answer takeDualParaboloid(const Word& word, Parts& parts)
+{
+    const auto partition = readDualParaboloid(word);
+    if (!partition) return std::nullopt;
+    return *partition ? setOnce(parts.partition, Partition(**partition), "partition") : partition->error();
 }
 
 std::optional<Twist> twistNamed(std::string_view name)
@@ -282,6 +290,8 @@ Answer takeElse(const Word& word, Parts& parts)
         Answer answer = takePartition(*part, inside);
         if (!answer) answer = takeFit(*part, inside);
         if (!answer) answer = takeSceneOptimal(*part, inside);
+        if (!answer && part->name == "dual-paraboloid")
+            return "dual-paraboloid serves all light rays by itself, not in else(...)";
         if (!answer && (part->name == "planes" || part->name == "plane-optimal"))
             return "planes and plane-optimal go before else(...), not into it";
         if (!answer) return fmt::format("else(...) takes a partition and a fit, not \"{}\"", piece);
@@ -296,8 +306,8 @@ Answer takeElse(const Word& word, Parts& parts)
 // An empty string, or what is wrong with the word.
 std::string take(const Word& word, Parts& parts)
 {
-    for (const auto reader : {takePartition, takePlanes, takeFit, takePlaneOptimal, takeSceneOptimal, takeWarp,
-                              takeLookupWord, takeNoMap, takeAllocation, takeElse})
+    for (const auto reader : {takePartition, takeDualParaboloid, takePlanes, takeFit, takePlaneOptimal,
+                              takeSceneOptimal, takeWarp, takeLookupWord, takeNoMap, takeAllocation, takeElse})
         if (const Answer answer = reader(word, parts)) return *answer;
     return fmt::format("\"{}\" is not known; known are {}", word.name, knownWords());
 }
@@ -338,6 +348,8 @@ void completePlanes(MapTechnique& technique)
 // What goes together, one line each; empty, or what does not.
 std::string checkTogether(const MapTechnique& map, const Parts& parts)
 {
+    if (std::holds_alternative<DualParaboloidPartition>(map.partition))
+        if (const std::string wrong = checkDualParaboloid(map); !wrong.empty()) return wrong;
     const bool isWhole = std::holds_alternative<WholePartition>(map.partition);
     const bool canBeStable = std::holds_alternative<FocusedFit>(map.fit) || std::holds_alternative<LispsmFit>(map.fit);
     if (map.isStable && map.allocation == Allocation::Need)
@@ -389,6 +401,8 @@ Expected<Technique, std::string> parseTechnique(std::string_view text)
         fit && !fit->uncoveredIsLit && !technique.otherwise)
         technique.otherwise = Fallback{};
     if (parts.warp) technique.warp = *parts.warp;
+    auto* paraboloids = std::get_if<DualParaboloidPartition>(&technique.partition);
+    if (paraboloids && !parts.warp && !paraboloids->raster) paraboloids->raster = WarpRaster::Exact;
     if (parts.lookup.store) technique.store = *parts.lookup.store;
     if (parts.lookup.kernel) technique.kernel = *parts.lookup.kernel;
     technique.isDualPlane = parts.lookup.isDualPlane;
@@ -417,6 +431,13 @@ const MapTechnique* mapsOf(const Technique& technique)
 }
 
 bool hasMap(const Technique& technique) { return std::holds_alternative<MapTechnique>(technique); }
+
+WarpRaster rasterOf(const MapTechnique& technique)
+{
+    if (const WarpOptions* warp = warpOptionsOf(technique.warp)) return warp->raster;
+    const auto* paraboloids = std::get_if<DualParaboloidPartition>(&technique.partition);
+    return paraboloids ? paraboloids->raster.value_or(WarpRaster::Exact) : WarpRaster::Exact;
+}
 
 const SceneOptimalFit* sceneOptimalOf(const MapTechnique& technique)
 {

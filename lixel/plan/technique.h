@@ -44,6 +44,12 @@ struct CubePartition
 {
     friend bool operator==(const CubePartition&, const CubePartition&) = default;
 };
+// With uniform, focused and desired-view, which say how much of the half spheres the maps hold.
+struct DualParaboloidPartition
+{
+    std::optional<WarpRaster> raster; // of a technique with a warp nothing: that says how casters get into its maps
+    friend bool operator==(const DualParaboloidPartition&, const DualParaboloidPartition&) = default;
+};
 // Planes of interest by the names that the scene gives them, in order of priority; or those that lixel finds in what the view sees.
 struct PlanesPartition
 {
@@ -51,7 +57,8 @@ struct PlanesPartition
     Twist twist = Twist::Tight;
     friend bool operator==(const PlanesPartition&, const PlanesPartition&) = default;
 };
-using Partition = std::variant<WholePartition, PssmPartition, SdsmPartition, CubePartition, PlanesPartition>;
+using Partition =
+    std::variant<WholePartition, PssmPartition, SdsmPartition, CubePartition, DualParaboloidPartition, PlanesPartition>;
 
 // Fits.
 struct UniformFit
@@ -131,6 +138,9 @@ struct MapTechnique
 
 // Whether plans of it are made from view samples, and need PlanInput::seen.
 bool needsViewSamples(const MapTechnique& technique);
+
+// How casters get into maps that no matrix draws.
+WarpRaster rasterOf(const MapTechnique& technique);
 
 // Of the technique or of its else(...); null where neither is.
 const SceneOptimalFit* sceneOptimalOf(const MapTechnique& technique);

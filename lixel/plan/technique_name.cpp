@@ -14,6 +14,11 @@ namespace {
 
 std::string name(const WholePartition&) { return "whole"; }
 std::string name(const CubePartition&) { return "cube"; }
+std::string name(const DualParaboloidPartition& paraboloids)
+{
+    return paraboloids.raster ? fmt::format("dual-paraboloid(raster={})", nameOf(*paraboloids.raster))
+                              : "dual-paraboloid";
+}
 std::string name(const PssmPartition& pssm) { return fmt::format("pssm({},lambda={})", pssm.count, pssm.lambda); }
 std::string name(const SdsmPartition& sdsm) { return fmt::format("sdsm({})", sdsm.count); }
 std::string_view nameOf(Twist twist)

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kAnyLight = "directional, spot, point";
 
-constexpr std::array<TechniqueWord, 35> kWords{{
+constexpr std::array<TechniqueWord, 36> kWords{{
     {"partition", "whole", "one region: all of space", "", "all", ""},
     {"partition", "pssm(n, lambda=0.5, stable)",
      "n = 1 to 16 regions along the line of sight, split between evenly (0) and logarithmically (1)",
@@ -17,6 +17,10 @@ constexpr std::array<TechniqueWord, 35> kWords{{
      "Lauritzen, Salvi, Lefohn 2011", "all", "no-view-samples, nothing-in-view"},
     {"partition", "cube", "the faces of a cube around the light that something is seen in", "Greene 1986",
      "spot, point; directional lights have one region", ""},
+    {"partition", "dual-paraboloid(raster=exact/tessellate/vertices)",
+     "two half spheres of light rays, each on a paraboloid; how casters get into those maps, where a warp does not say "
+     "it",
+     "Brabec, Annen, Seidel 2002", "spot, point", "no-place-of-light, nothing-in-view"},
     {"partition", "planes(name, ..., twist=tight/none/line)",
      "the light rays that meet each of some planes of the scene, in this order; planes(auto) finds them in what is "
      "seen",

@@ -2,12 +2,17 @@
 // A receiver in the light image, and the depth of its plane where a lookup taps: one text for the CPU executor and for GLSL. What
 // stored values then say of it is lookup/visibility.h.
 //
-// The includer provides the knots of warps (warp.h). Where no region has a warp, GLSL may define LIXEL_NO_WARP: drivers that run both
-// sides of a branch then spend nothing on it.
+// The includer provides the knots of warps (warp.h). Where no region has a warp, GLSL may define LIXEL_NO_WARP, and where none is on a
+// paraboloid, LIXEL_NO_PARABOLOID: drivers that run both sides of a branch then spend nothing on it.
 #ifndef LIXEL_SHARED_LOOKUP_H
 #define LIXEL_SHARED_LOOKUP_H
 #include "lixel/shared/light_clip.h"
+#include "lixel/shared/paraboloid.h"
 #include "lixel/shared/warp.h"
+
+#if defined(LIXEL_NO_WARP) && !defined(LIXEL_NO_PARABOLOID)
+#define LIXEL_NO_PARABOLOID // each of them has a warp
+#endif
 
 LX_SHARED_BEGIN
 
@@ -18,7 +23,7 @@ struct LxReceiver
     vec2 unwarped;      // the same before the warp
     vec2 at;            // continuous, unwarped lixel of `depth`: its own, but for what lies on the region's plane
     float depth;        // reversed: 1 near, 0 far
-    vec2 depthPerLixel; // of the receiver's plane, which is linear in unwarped lixels
+    vec2 depthPerLixel; // of the receiver's plane, which is linear in unwarped lixels, but on a paraboloid
     vec2 steepness;     // what its depth changes by over a lixel of the map, along x and along y; not below 0
     float margin;       // lixels of the map that a stored depth must be nearer by
     float isOnPlane;    // 1 on the plane that the region's lixels are the pixels of, else 0
@@ -26,6 +31,11 @@ struct LxReceiver
     float slackBeside;  // further slack for taps of other lixels: what is called one plane may be a little rough
     float isInside;     // 1 where the region serves it and before its far side, else 0
     ShadowWarp warp;    // the region's
+    // On a paraboloid, where the plane's depth is linear in rays: the receiver's own, depth by ray, and lixelFromNdc, by which a lixel's
+    // ray is found. Elsewhere 0.
+    vec3 ray;
+    vec3 depthPerRay;
+    vec4 lixelFromPlace;
 };
 
 // Rounding of one float product and sum, with room for the matrix, the point and the rasterizer's interpolation.
@@ -69,8 +79,76 @@ LX_KNOTS_FN LxReceiver lxWarpedReceiver(LxReceiver r LX_KNOTS)
     return r;
 }
 
+// Edge-on to the light the plane has any depth. Depths span 1, so half a lixel of such a slope clears everything; taps must
+// not take that back by slopes that were cut, so the receiver is cleared outright.
+const float LX_STEEPEST = 4.0f;
+
+// Lengths of the terms that a row's value at a point (its absolute coordinates) is the sum of.
+LX_FN float lxTerms(vec4 row, vec3 p) { return abs(row.x) * p.x + abs(row.y) * p.y + abs(row.z) * p.z + abs(row.w); }
+
+LX_FN vec4 lxRowOf(mat4 m, int row)
+{
+    if (row == 0) return vec4(m[0].x, m[1].x, m[2].x, m[3].x);
+    if (row == 1) return vec4(m[0].y, m[1].y, m[2].y, m[3].y);
+    if (row == 2) return vec4(m[0].z, m[1].z, m[2].z, m[3].z);
+    return vec4(m[0].w, m[1].w, m[2].w, m[3].w);
+}
+
+#ifndef LIXEL_NO_PARABOLOID
+// The same on a paraboloid. The plane n . p = h, as the light sees it, has depth near / h (n . q) at the ray q, but for a constant.
+LX_KNOTS_FN LxReceiver lxReceiveOnParaboloid(ShadowRegion region, vec3 positionLocal, vec3 normal LX_KNOTS)
+{
+    LxReceiver r;
+    mat4 m = region.lightClipFromLocal;
+    vec4 clip = lxLightClip(region, positionLocal);
+    vec3 away = lxAwayFromLight(clip);
+    float distance = length(away);
+    vec3 ndc = lxParaboloidNdc(region, clip);
+    vec2 scale = vec2(region.lixelFromNdc.x, region.lixelFromNdc.y);
+    r.ray = away / distance;
+    r.lixel = vec2(ndc.x * scale.x + region.lixelFromNdc.z, ndc.y * scale.y + region.lixelFromNdc.w);
+    r.depth = ndc.z;
+
+    // Along a place's x the ray moves by (1 + z) ((1, 0, -x) - x q), along y likewise.
+    vec3 n = lxAwayFromLight(m * vec4(normal, 0.0f));
+    float facing = dot(n, r.ray);
+    float reach = 1.0f + r.ray.z;
+    vec3 alongX = (vec3(1.0f, 0.0f, -ndc.x) - ndc.x * r.ray) * reach;
+    vec3 alongY = (vec3(0.0f, 1.0f, -ndc.y) - ndc.y * r.ray) * reach;
+    float near = clip.z / distance;
+    vec2 across = vec2(near * dot(n, alongX) / scale.x, near * dot(n, alongY) / scale.y);
+    bool isEdgeOn = max(abs(across.x), abs(across.y)) >= LX_STEEPEST * abs(facing);
+    float perFacing = isEdgeOn ? 0.0f : 1.0f / facing;
+    r.depthPerRay = n * (near * perFacing);
+    r.depthPerLixel = across * perFacing;
+    r.steepness = vec2(abs(r.depthPerLixel.x), abs(r.depthPerLixel.y));
+
+    // Rounding turns the ray by `turn` of it, at the receiver, and by one part at a tap.
+    vec3 p = vec3(abs(positionLocal.x), abs(positionLocal.y), abs(positionLocal.z));
+    float turn = 1.0f + (lxTerms(lxRowOf(m, 0), p) + lxTerms(lxRowOf(m, 1), p) + lxTerms(lxRowOf(m, 3), p)) / distance;
+    float errorZ = near * turn + region.projection.y;
+    float errorRay = turn * (abs(r.depthPerRay.x) + abs(r.depthPerRay.y) + abs(r.depthPerRay.z));
+    bool inside = distance > 0.0f && r.ray.z > -0.999f && r.lixel.x >= region.serves.x &&
+                  r.lixel.y >= region.serves.y && r.lixel.x < region.serves.z && r.lixel.y < region.serves.w &&
+                  r.depth >= -LX_ROUNDING * errorZ;
+    r.isInside = inside ? 1.0f : 0.0f;
+    r.slack = isEdgeOn ? LX_STEEPEST : LX_ROUNDING * (errorZ + errorRay);
+    r.unwarped = r.lixel;
+    r.at = r.lixel;
+    r.warp = region.warp;
+    r.margin = LX_HALF_LIXEL + LX_SNAP;
+    r.isOnPlane = 0.0f;
+    r.slackBeside = 0.0f;
+    r.lixelFromPlace = region.lixelFromNdc;
+    return lxWarpedReceiver(r LX_PASS_KNOTS);
+}
+#endif
+
 LX_KNOTS_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal LX_KNOTS)
 {
+#ifndef LIXEL_NO_PARABOLOID
+    if (lxIsOnParaboloid(region)) return lxReceiveOnParaboloid(region, positionLocal, normal LX_PASS_KNOTS);
+#endif
     LxReceiver r;
     mat4 m = region.lightClipFromLocal;
     vec4 clip = lxLightClip(region, positionLocal);
@@ -92,10 +170,7 @@ LX_KNOTS_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 n
                   c2.z - ndc.z * c2.w) *
              perW;
     vec3 across = cross(a, b);
-    // Edge-on to the light the plane has any depth. Depths span 1, so half a lixel of such a slope clears everything; taps must
-    // not take that back by slopes that were cut, so the receiver is cleared outright.
-    float steepest = 4.0f;
-    bool isEdgeOn = max(abs(across.x), abs(across.y)) >= steepest * abs(across.z);
+    bool isEdgeOn = max(abs(across.x), abs(across.y)) >= LX_STEEPEST * abs(across.z);
     float gx = isEdgeOn ? 0.0f : across.x / across.z;
     float gy = isEdgeOn ? 0.0f : across.y / across.z;
     r.depthPerLixel = vec2(-gx, -gy);
@@ -103,10 +178,10 @@ LX_KNOTS_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 n
 
     // What rounding may do: terms of each row against its sum.
     vec3 p = vec3(abs(positionLocal.x), abs(positionLocal.y), abs(positionLocal.z));
-    float sumX = abs(m[0].x) * p.x + abs(m[1].x) * p.y + abs(m[2].x) * p.z + abs(m[3].x);
-    float sumY = abs(m[0].y) * p.x + abs(m[1].y) * p.y + abs(m[2].y) * p.z + abs(m[3].y);
-    float sumZ = abs(m[0].z) * p.x + abs(m[1].z) * p.y + abs(m[2].z) * p.z + abs(m[3].z);
-    float sumW = abs(m[0].w) * p.x + abs(m[1].w) * p.y + abs(m[2].w) * p.z + abs(m[3].w);
+    float sumX = lxTerms(lxRowOf(m, 0), p);
+    float sumY = lxTerms(lxRowOf(m, 1), p);
+    float sumZ = lxTerms(lxRowOf(m, 2), p);
+    float sumW = lxTerms(lxRowOf(m, 3), p);
     float errorX = (sumX + abs(ndc.x) * sumW) * abs(perW) * region.lixelFromNdc.x;
     float errorY = (sumY + abs(ndc.y) * sumW) * abs(perW) * region.lixelFromNdc.y;
     float errorZ = (sumZ + abs(ndc.z) * sumW) * abs(perW);
@@ -114,13 +189,16 @@ LX_KNOTS_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 n
     bool inside = clip.w > 0.0f && r.lixel.x >= region.serves.x && r.lixel.y >= region.serves.y &&
                   r.lixel.x < region.serves.z && r.lixel.y < region.serves.w && r.depth >= -LX_ROUNDING * errorZ;
     r.isInside = inside ? 1.0f : 0.0f;
-    r.slack = isEdgeOn ? steepest : LX_ROUNDING * (errorZ + abs(gx) * errorX + abs(gy) * errorY);
+    r.slack = isEdgeOn ? LX_STEEPEST : LX_ROUNDING * (errorZ + abs(gx) * errorX + abs(gy) * errorY);
     r.unwarped = r.lixel;
     r.at = r.lixel;
     r.warp = region.warp;
     r.margin = LX_HALF_LIXEL + LX_SNAP;
     r.isOnPlane = 0.0f;
     r.slackBeside = 0.0f;
+    r.ray = vec3(0.0f, 0.0f, 0.0f);
+    r.depthPerRay = r.ray;
+    r.lixelFromPlace = vec4(0.0f, 0.0f, 0.0f, 0.0f);
 
     // On the plane whose pixels the lixels are, the stored depth was taken at the sample itself, and without a caster it is the
     // sample's: the plan knows that depth better than the sample's floats do, and nothing bends within the lixel.
@@ -156,6 +234,13 @@ LX_KNOTS_FN float lxPlaneDepth(LxReceiver r, vec2 place LX_KNOTS)
     vec2 ray = place;
 #ifndef LIXEL_NO_WARP
     if (r.warp.kind.x != LX_WARP_NONE) ray = lxUnwarpedLixelNear(r.warp, place, r.unwarped LX_PASS_KNOTS);
+#endif
+#ifndef LIXEL_NO_PARABOLOID
+    if (r.lixelFromPlace.x > 0.0f) {
+        vec2 at =
+            vec2((ray.x - r.lixelFromPlace.z) / r.lixelFromPlace.x, (ray.y - r.lixelFromPlace.w) / r.lixelFromPlace.y);
+        return r.depth + dot(r.depthPerRay, lxParaboloidRay(at) - r.ray);
+    }
 #endif
     return r.depth + r.depthPerLixel.x * (ray.x - r.at.x) + r.depthPerLixel.y * (ray.y - r.at.y);
 }

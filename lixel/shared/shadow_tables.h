@@ -19,6 +19,10 @@ struct ShadowWarp
         square; // least and greatest x, y, in lixels of the layer, of the square that is warped: the rectangle without guard bands
 };
 
+// What follows on a region's matrix: division by w, or a paraboloid (lixel/shared/paraboloid.h).
+const float LX_PROJECTION_MATRIX = 0.0f;
+const float LX_PROJECTION_PARABOLOID = 1.0f;
+
 // One region's way from Local space into its rectangle of the atlas.
 struct ShadowRegion
 {
@@ -36,7 +40,8 @@ struct ShadowRegion
     // with the w of lightClipFromLocal.
     vec4 plane;
     vec4 planeDepth;
-    ShadowWarp warp; // after the matrix; lixelFromNdc counts unwarped lixels
+    vec4 projection; // x: one of the two; y: of a paraboloid, what is taken off depths; zw: 0
+    ShadowWarp warp; // after that; lixelFromNdc counts unwarped lixels. Every paraboloid has one, if only the identity
 };
 
 // One light: which regions serve it, in their order.

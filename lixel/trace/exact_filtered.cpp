@@ -24,7 +24,7 @@ std::optional<Served> servedAt(const ShadowPlan& plan, Vec3d pointLocal)
     for (const PlannedRegion& region : plan.regions) {
         const auto isOutside = [&](const Plane& plane) { return plane.signedDistance(pointLocal) < 0; };
         if (std::ranges::any_of(region.halfSpacesLocal, isOutside)) continue;
-        const LightImage image(region.lightClipFromLocal, region.rectangle, &region.warp);
+        const LightImage image(region.projection(), region.rectangle, &region.warp);
         if (const auto lixel = image.lixelAt(pointLocal)) return Served{image, *lixel};
     }
     return std::nullopt;

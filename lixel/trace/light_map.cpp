@@ -27,7 +27,8 @@ class RegionTracer
 public:
     RegionTracer(const TraceScene& scene, const PlannedRegion& region)
         : scene_(scene),
-          image_(region.lightClipFromLocal, region.rectangle, &region.warp),
+          projection_(region.projection()),
+          image_(projection_, region.rectangle, &region.warp),
           depthFromLocal_(toHost(region.lightClipFromLocal, kExecutorConvention)),
           rectangle_(region.rectangle)
     {
@@ -91,12 +92,16 @@ private:
     };
 
     // The part of the ray's line that is lit: within the scene, from the light on, which is where w is 0 or infinitely
-    // far.
+    // far, and where rays of paraboloids begin.
     Interval beforeLight(const LightRay& ray) const
     {
+        Interval lit{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+        if (projection_.paraboloid) {
+            lit.first = 0;
+            return clipToBox(ray.originLocal, ray.directionLocal, scene_.searchBoxLocal(), lit);
+        }
         const double w = (depthFromLocal_ * point(ray.originLocal)).w;
         const double wAlong = (depthFromLocal_ * direction(ray.directionLocal)).w;
-        Interval lit{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
         if (wAlong > 0) lit.first = -w / wAlong;
         else if (wAlong < 0) lit.last = -w / wAlong;
         else if (!(w > 0)) return {0, -1};
@@ -115,11 +120,16 @@ private:
 
     float depthAt(Vec3d pointLocal) const
     {
+        if (projection_.paraboloid) {
+            const auto ndc = projection_.ndcAt(pointLocal);
+            return ndc ? float(std::clamp(0.5 - 0.5 * ndc->z, 0.0, 1.0)) : 1.0f;
+        }
         const Vec4d clip = depthFromLocal_ * point(pointLocal);
         return clip.w > 0 ? float(std::clamp(clip.z / clip.w, 0.0, 1.0)) : 1.0f;
     }
 
     const TraceScene& scene_;
+    LightProjection projection_;
     LightImage image_;
     Mat4d depthFromLocal_;
     LixelRectangle rectangle_;

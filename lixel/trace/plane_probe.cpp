@@ -25,7 +25,7 @@ Vec3d onPlane(const LightImage& image, const Plane& planeLocal, Vec2d lixel)
 std::vector<float> exactBeside(const TraceScene& scene, const PlannedRegion& region, const Light& light,
                                const ViewSamples& samples, std::size_t i, double besideLixels)
 {
-    const LightImage image(region.lightClipFromLocal, region.rectangle, &region.warp);
+    const LightImage image(region.projection(), region.rectangle, &region.warp);
     const Vec3d p = toDouble(samples.positionLocal[i]);
     const auto lixel = image.lixelAt(p);
     if (!lixel) return {};

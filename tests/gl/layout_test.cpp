@@ -73,7 +73,7 @@ TEST_F(LayoutTest, ShadowTablesLieAsInCpp)
     const ProgramName region = programWith(
         "lixel/shared/shadow_tables.h", "ShadowRegion", kStorage,
         "row.lightClipFromLocal[0].x + row.lightClipLow[0].x + row.lixelFromNdc.x + row.rectangle.x + row.place.x + "
-        "row.plane.x + row.planeDepth.x + row.warp.kind.x + row.warp.grid.x + row.warp.square.x");
+        "row.plane.x + row.planeDepth.x + row.projection.x + row.warp.kind.x + row.warp.grid.x + row.warp.square.x");
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, lightClipFromLocal);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, lightClipLow);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, lixelFromNdc);
@@ -81,6 +81,7 @@ TEST_F(LayoutTest, ShadowTablesLieAsInCpp)
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, place);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, plane);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, planeDepth);
+    LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, projection);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, warp.kind);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, warp.grid);
     LX_EXPECT_MEMBER(region, GL_BUFFER_VARIABLE, shared::ShadowRegion, warp.square);

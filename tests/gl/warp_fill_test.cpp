@@ -86,7 +86,7 @@ bool isAnyAtBorder(const FramePlan& plan, const ViewSamples& samples)
 {
     for (const PlannedRegion& region : plan.lights[0].regions) {
         if (region.warp.isIdentity()) continue;
-        const LightImage image(region.lightClipFromLocal, region.rectangle);
+        const LightImage image(region.projection(), region.rectangle);
         const LixelRectangle& square = region.warp.square;
         for (const Vec3f& position : samples.positionLocal) {
             for (const Plane& plane : region.halfSpacesLocal)
@@ -104,15 +104,21 @@ bool isAnyAtBorder(const FramePlan& plan, const ViewSamples& samples)
     return false;
 }
 
-constexpr const char* kTechniques[] = {"now(importance=count)",       "now(importance=count,power=1,smooth=0)",
-                                       "now(importance=count*edges)", "now(importance=count*distance*normal,smooth=1)",
-                                       "cube+now(importance=count)",  "rtw(importance=count)",
-                                       "rtw(importance=distance)",    "rtw(importance=edges*normal,smooth=0)"};
+constexpr const char* kTechniques[] = {"now(importance=count)",
+                                       "now(importance=count,power=1,smooth=0)",
+                                       "now(importance=count*edges)",
+                                       "now(importance=count*distance*normal,smooth=1)",
+                                       "cube+now(importance=count)",
+                                       "dual-paraboloid+now(importance=count)",
+                                       "rtw(importance=count)",
+                                       "rtw(importance=distance)",
+                                       "rtw(importance=edges*normal,smooth=0)"};
 
 TEST_F(WarpFillTest, WarpsMadeOnTheDeviceAreThoseOfTheTwin)
 {
     SeenPixels seen(device());
     gl::WarpFillPass pass;
+    gl::WarpRoom room;
     gl::PlanTables tables;
     for (const char* text : kTechniques) {
         int compared = 0;
@@ -128,7 +134,7 @@ TEST_F(WarpFillTest, WarpsMadeOnTheDeviceAreThoseOfTheTwin)
             ASSERT_EQ(twin.warpTable.size(), layout->plan.warpTable.size());
             if (isAnyAtBorder(twin, samples)) return;
             tables.upload(layout->plan);
-            pass.run(layout->plan, layout->fills[0], w.view, w.light, seen.points, tables);
+            pass.run(layout->plan, layout->fills[0], w.view, w.light, seen.points, tables, room);
             const std::vector<float> knots = tables.download().warpKnots;
             ++compared;
             for (std::size_t i = 0; i < knots.size(); ++i)

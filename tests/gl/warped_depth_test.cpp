@@ -4,6 +4,8 @@
 #include "shadow_drawer.h"
 #include "warped_plans.h"
 
+#include "plan/random_warps.h"
+
 #include "lixel/gl/executor.h"
 
 #include <algorithm>
@@ -67,6 +69,63 @@ TEST_F(WarpedDepthTest, ExactMapsOfManyLixelsAndManyRegionsAreThoseOfRays)
     Apart all;
     all.add(draw.drawAtlas(plan, scene.casters()), traceAtlas(TraceScene(scene.casters()), plan));
     EXPECT_LT(all.share(), 1e-4);
+}
+
+// A lamp among the triangles: they lie in both halves, across the rim and straight behind. With a further warp half of the times.
+struct LampCase
+{
+    SmallScene scene;
+    FramePlan plan;
+
+    LampCase(Rng& rng, const char* technique, bool isWarped)
+        : scene(rng.chance(0.5) ? anyObjectsOnAFloor(rng, 1) : anyTriangleSoup(rng, 60, 1))
+    {
+        const View view = anyViewOf(rng, {}, 1, 64, 64);
+        Light lamp;
+        lamp.kind = rng.chance(0.8) ? LightKind::Point : LightKind::Spot;
+        lamp.positionWorld = rng.logUniform(0.1, 10) * rng.onSphere();
+        lamp.directionWorld = normalized(-lamp.positionWorld);
+        const Box box = scene.boxWorld();
+        plan = planShadows({view,
+                            {&lamp, 1},
+                            {&box, 1},
+                            {},
+                            std::get<MapTechnique>(*parseTechnique(technique)),
+                            {rng.integer(20, 150), rng.integer(20, 150)}});
+        const WarpRaster raster =
+            plan.lights[0].regions.empty() ? WarpRaster::Exact : plan.lights[0].regions[0].warp.raster;
+        for (PlannedRegion& region : plan.lights[0].regions)
+            if (isWarped) region.warp = anyWarp(region.rectangle, rng), region.warp.raster = raster;
+        rebuildWarps(plan);
+    }
+};
+
+TEST_F(WarpedDepthTest, ExactMapsOnParaboloidsAreThoseOfRays)
+{
+    ShadowDrawer draw(device());
+    Apart all;
+    forEachCase(80, [&](Rng& rng) {
+        const LampCase lamp(rng, rng.chance(0.5) ? "dual-paraboloid" : "dual-paraboloid+uniform", rng.chance(0.5));
+        all.add(draw.drawAtlas(lamp.plan, lamp.scene.casters()),
+                traceAtlas(TraceScene(lamp.scene.casters()), lamp.plan));
+    });
+    std::printf("%zu of %zu lixels apart\n", all.apart, all.lixels);
+    EXPECT_LT(all.share(), 1e-4);
+}
+
+TEST_F(WarpedDepthTest, OnParaboloidsCutTrianglesComeNearerToRaysThanMovedOnes)
+{
+    ShadowDrawer draw(device());
+    Apart moved, cut;
+    forEachCase(30, [&](Rng& rng) {
+        LampCase lamp(rng, "dual-paraboloid(raster=vertices)+uniform", false);
+        const TracedAtlas traced = traceAtlas(TraceScene(lamp.scene.casters()), lamp.plan);
+        moved.add(draw.drawAtlas(lamp.plan, lamp.scene.casters()), traced);
+        for (PlannedRegion& region : lamp.plan.lights[0].regions) region.warp.raster = WarpRaster::Tessellate;
+        cut.add(draw.drawAtlas(lamp.plan, lamp.scene.casters()), traced);
+    });
+    std::printf("%zu moved, %zu cut, of %zu lixels apart\n", moved.apart, cut.apart, cut.lixels);
+    EXPECT_LT(cut.share(), 0.75 * moved.share());
 }
 
 TEST_F(WarpedDepthTest, ExactMapsOfAnEvenWarpAreThoseWithout)
@@ -197,6 +256,42 @@ TEST_F(WarpedDepthTest, BothExecutorsAgreeOnSamplesLookedUpInWarpedMaps)
         const std::vector<Visibility> traced = runTraced(TraceScene(casters), plan, samples);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             if (!isLightFacing(light, {}, toDouble(samples.positionLocal[i]), toDouble(samples.normal[i]))) continue;
+            ++all;
+            differing += drawn[0].value[i] != traced[0].value[i];
+        }
+    });
+    std::printf("%zu of %zu differ\n", differing, all);
+    EXPECT_LT(double(differing), 2e-4 * double(all));
+}
+
+TEST_F(WarpedDepthTest, BothExecutorsAgreeOnSamplesLookedUpOnParaboloids)
+{
+    GlExecutor executor;
+    std::size_t all = 0, differing = 0;
+    forEachCase(10, [&](Rng& rng) {
+        const SmallScene scene = anyObjectsOnAFloor(rng, 1);
+        const View view = anyViewOf(rng, {}, 1, 160, 120);
+        Light lamp;
+        lamp.kind = LightKind::Point;
+        lamp.positionWorld = Vec3d{rng.uniform(-1, 1), rng.uniform(0.8, 2), rng.uniform(-1, 1)};
+        const CasterBuffers casters = scene.casters();
+        const ViewSamples samples = executor.viewSamples(casters, view);
+        const Box box = scene.boxWorld();
+        const char* techniques[] = {"dual-paraboloid", "dual-paraboloid+pcf(9)", "dual-paraboloid+desired-view+now",
+                                    "cube+now"};
+        PlanInput input{view,
+                        {&lamp, 1},
+                        {&box, 1},
+                        {},
+                        std::get<MapTechnique>(*parseTechnique(techniques[rng.integer(0, 3)])),
+                        {128, 128}};
+        input.seen = &samples;
+        const FramePlan plan = planShadows(input);
+        if (plan.lights[0].refused) return;
+        const std::vector<Visibility> drawn = executor.run(plan, casters, samples);
+        const std::vector<Visibility> traced = runTraced(TraceScene(casters), plan, samples);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            if (!isLightFacing(lamp, {}, toDouble(samples.positionLocal[i]), toDouble(samples.normal[i]))) continue;
             ++all;
             differing += drawn[0].value[i] != traced[0].value[i];
         }

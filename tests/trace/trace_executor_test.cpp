@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 namespace lixel {
 namespace {
@@ -26,13 +27,12 @@ View anyViewOf(Rng& rng, Vec3d centreWorld, double radius)
                            std::numeric_limits<double>::infinity(), 40, 40);
 }
 
-FramePlan planFor(const View& view, const std::vector<Light>& lights, const LocalTriangles& casters, FitChoice fit,
-                  int lixels, const char* lookup)
+FramePlan planFor(const View& view, const std::vector<Light>& lights, const LocalTriangles& casters, int lixels,
+                  const std::string& words)
 {
     Box box;
     for (const Vec3f& p : casters.positionLocal) box.include(toDouble(p) + casters.originWorld);
-    auto technique = std::get<MapTechnique>(*parseTechnique(lookup));
-    technique.fit = fit;
+    const auto technique = std::get<MapTechnique>(*parseTechnique(words));
     return planShadows({view, lights, std::span(&box, 1), casters.originWorld, technique, {lixels, lixels}});
 }
 
@@ -60,8 +60,10 @@ void warpAnyhow(FramePlan& plan, Rng& rng)
     }
 }
 
+enum class MapKind { Matrix, Paraboloid };
+
 // A body alone, of which all that faces the light is lit. Returns how many samples a map served.
-int expectBodyIsLit(Rng& rng, bool isWarped)
+int expectBodyIsLit(Rng& rng, bool isWarped, MapKind maps = MapKind::Matrix)
 {
     int served = 0;
     const double scale = rng.logUniform(1e-3, 1e4);
@@ -75,10 +77,12 @@ int expectBodyIsLit(Rng& rng, bool isWarped)
     const TraceScene scene(casters, {}, {});
     const View view = anyViewOf(rng, centreWorld, scale);
     const ViewSamples samples = traceViewSamples(scene, view);
-    const Light light = anyLight(rng, centreWorld, 2 * scale);
+    Light light = anyLight(rng, centreWorld, 2 * scale);
+    if (maps == MapKind::Paraboloid && light.kind == LightKind::Directional) light.kind = LightKind::Point;
     const char* const lookup = kLookups[std::size_t(rng.integer(0, int(kLookups.size()) - 1))];
-    const FitChoice fit = rng.chance(0.5) ? FitChoice(FocusedFit{}) : FitChoice(UniformFit{});
-    FramePlan plan = planFor(view, {light}, casters, fit, rng.integer(16, 200), lookup);
+    const std::string fit = rng.chance(0.5) ? "focused+" : "uniform+";
+    const std::string partition = maps == MapKind::Paraboloid ? "dual-paraboloid+" : "";
+    FramePlan plan = planFor(view, {light}, casters, rng.integer(16, 200), partition + fit + lookup);
     if (isWarped) warpAnyhow(plan, rng);
     const Visibility visibility = runTraced(scene, plan, samples).front();
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -107,6 +111,13 @@ TEST(TraceExecutor, AnUnoccludedBodyIsLitUnderAnyWarp)
     EXPECT_GT(served, 10000);
 }
 
+TEST(TraceExecutor, AnUnoccludedBodyIsLitOnParaboloidsWithAndWithoutWarps)
+{
+    int served = 0;
+    forEachCase(kCases / 20, [&](Rng& rng) { served += expectBodyIsLit(rng, rng.chance(0.5), MapKind::Paraboloid); });
+    EXPECT_GT(served, 10000);
+}
+
 TEST(TraceExecutor, TendsToExactVisibilityAsLixelsGrow)
 {
     const Shape shape = joined(joined(gridPlane(4, 2), placed(translation({0, 0.6, 0}), sphere(40, 20, 0.5))),
@@ -123,7 +134,7 @@ TEST(TraceExecutor, TendsToExactVisibilityAsLixelsGrow)
     double before[3] = {1, 1, 1};
     for (const int lixels : {32, 128, 512, 2048}) {
         const std::vector<Visibility> visibility =
-            runTraced(scene, planFor(view, lights, casters, FocusedFit{}, lixels, "pcf(1)"), samples);
+            runTraced(scene, planFor(view, lights, casters, lixels, "focused+pcf(1)"), samples);
         ASSERT_EQ(visibility.size(), lights.size());
         for (std::size_t k = 0; k < lights.size(); ++k) {
             const std::vector<float> exact = exactVisibility(scene, samples, lights[k]);
@@ -150,7 +161,7 @@ TEST(TraceExecutor, ARefusedLightLightsEverythingUnserved)
     const ViewSamples samples = traceViewSamples(scene, view);
     Light lamp;
     lamp.kind = LightKind::Point;
-    const FramePlan plan = planFor(view, {lamp}, casters, UniformFit{}, 64, "pcf(1)");
+    const FramePlan plan = planFor(view, {lamp}, casters, 64, "uniform+pcf(1)");
     ASSERT_TRUE(plan.lights[0].refused.has_value());
     const Visibility visibility = runTraced(scene, plan, samples).front();
     for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -35,6 +35,8 @@ TechniqueChoice readTechnique(const std::string& text)
     if (!map) throw UsageError(fmt::format("--technique \"{}\" has no map", text));
     if (std::holds_alternative<MatrixFit>(map->fit) || std::holds_alternative<PlanFit>(map->fit))
         throw UsageError(fmt::format("--technique \"{}\": the size of its map is given", text));
+    if (std::holds_alternative<DualParaboloidPartition>(map->partition))
+        throw UsageError(fmt::format("--technique \"{}\": widths of lixels are foretold for matrices alone", text));
     return all.front();
 }
 

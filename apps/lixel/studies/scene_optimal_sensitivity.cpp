@@ -53,7 +53,7 @@ public:
         if (!found) return std::nullopt;
         const MapTechnique technique{.fit = MatrixFit{}};
         const LixelRectangle whole{0, 0, kMap.width, kMap.height, 0};
-        const Mat4d placed = place(*found, whole, lookupLayout(technique), origin);
+        const Mat4d placed = place(*found, whole, lookupLayout(technique), origin).lightClipFromLocal;
         return TechniqueChoice{variant.value, technique, {{"", {{placed * translation(-origin), whole, {}}}}}};
     }
 

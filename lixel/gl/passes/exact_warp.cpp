@@ -53,6 +53,8 @@ int layOutLevels(int lines, int knots, shared::vec4 (&levels)[8])
     }
 }
 
+int linesOf(const TextureWarp& warp) { return warp.lines == WarpLines::Rectilinear ? 1 : warp.rows; }
+
 Program computeIn(const char* file, std::initializer_list<std::string> defines)
 {
     return Program::compute(file, std::span<const std::string>(defines.begin(), defines.size()));
@@ -60,17 +62,28 @@ Program computeIn(const char* file, std::initializer_list<std::string> defines)
 
 } // namespace
 
-void ExactWarp::makeBounds(const TextureWarp& warp, const shared::ShadowWarp& row)
+void ExactWarp::makeRoom(const LixelRectangle& r, int boundPairs, std::uint32_t triangles)
 {
-    const int lines = warp.lines == WarpLines::Rectilinear ? 1 : warp.rows, knots = warp.columns + 1;
-    shared::WarpRasterSetup setup;
-    setup.size = size_;
-    const int pairs = layOutLevels(lines, knots, setup.levels);
-    setup_.assign(std::span<const shared::WarpRasterSetup>(&setup, 1));
-    setup_.bindUniform(shared::kUniformWarpRaster, sizeof(shared::WarpRasterSetup));
-    bounds_.reserve(std::size_t(pairs) * sizeof(shared::vec2));
-    bounds_.bindStorage(shared::kStorageWarpBounds);
+    const std::size_t lixels = std::size_t(r.width()) * std::size_t(r.height());
+    capacity_ = std::min(triangles, kSpansAtOnce * kTrianglesOfSpan);
+    WarpRoom::Parts parts;
+    parts_.bounds = parts.add(std::size_t(boundPairs) * sizeof(shared::vec2));
+    parts_.rays = parts.add(lixels * sizeof(shared::vec2));
+    parts_.runs = parts.add(std::size_t(r.width()) * std::size_t(size_.z) * sizeof(shared::vec4));
+    parts_.queued = parts.add(kQueues * std::size_t(capacity_) * kBytesQueued);
+    parts_.depths = parts.add(lixels * sizeof(float));
+    room_->reserve(parts);
+    room_->clear(parts_.depths);
+    room_->bindStorage(shared::kStorageWarpBounds, parts_.bounds);
+    room_->bindStorage(shared::kStorageWarpRays, parts_.rays);
+    room_->bindStorage(shared::kStorageWarpRuns, parts_.runs);
+    room_->bindStorage(shared::kStorageWarpQueued, parts_.queued);
+    room_->bindStorage(shared::kStorageWarpDepths, parts_.depths);
+}
 
+void ExactWarp::makeBounds(const TextureWarp& warp, const shared::ShadowWarp& row, const shared::WarpRasterSetup& setup)
+{
+    const int lines = linesOf(warp), knots = warp.columns + 1;
     const Program& program = programs_->bounds;
     program.set(kKnots, knots);
     for (int level = 0; level == 0 || setup.levels[level - 1].y > 1; ++level) {
@@ -87,10 +100,6 @@ void ExactWarp::makeBounds(const TextureWarp& warp, const shared::ShadowWarp& ro
 
 void ExactWarp::makeRays(const LixelRectangle& r)
 {
-    runs_.reserve(std::size_t(r.width()) * std::size_t(size_.z) * sizeof(shared::vec4));
-    runs_.bindStorage(shared::kStorageWarpRuns);
-    rays_.reserve(std::size_t(r.width()) * std::size_t(r.height()) * sizeof(shared::vec2));
-    rays_.bindStorage(shared::kStorageWarpRays);
     const int pieces = (r.height() + kPieceOfColumn - 1) / kPieceOfColumn;
     dispatch(programs_->rays, std::int64_t(pieces) * r.width());
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -162,31 +171,36 @@ void ExactWarp::copyInto(const ShadowAtlas& atlas, const LixelRectangle& r)
 {
     glMemoryBarrier(GL_PIXEL_BUFFER_BARRIER_BIT);
     applyPixelTransfer();
-    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, depths_.name());
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, room_->name());
     glTextureSubImage3D(atlas.depth.name(), 0, r.x0, r.y0, r.layer, r.width(), r.height(), 1, GL_DEPTH_COMPONENT,
-                        GL_FLOAT, nullptr);
+                        GL_FLOAT, reinterpret_cast<const void*>(parts_.depths.first));
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 }
 
-void ExactWarp::makePrograms()
+const ExactWarp::Programs::Drawing& ExactWarp::programsFor(const PlannedRegion& region)
 {
-    if (programs_) return;
-    Programs& made = programs_.emplace();
-    made.rays = computeIn("warp_rays.comp.glsl", {});
-    made.bounds = computeIn("warp_bounds.comp.glsl", {});
-    for (const bool isInDouble : {false, true}) {
-        Programs::Drawing& drawing = isInDouble ? made.inDouble : made.inFloat;
-        const std::string numbers = isInDouble ? "LIXEL_DOUBLE" : "LIXEL_NO_DOUBLE";
-        drawing.sort = computeIn("warp_sort.comp.glsl", {numbers});
-        drawing.small = computeIn("warp_draw.comp.glsl", {numbers});
-        drawing.large = computeIn("warp_draw.comp.glsl", {numbers, "RUNS"});
-        drawing.smallMasked = computeIn("warp_draw.comp.glsl", {numbers, "MASKED"});
-        drawing.largeMasked = computeIn("warp_draw.comp.glsl", {numbers, "RUNS", "MASKED"});
+    if (!programs_) {
+        programs_.emplace();
+        programs_->rays = computeIn("warp_rays.comp.glsl", {});
+        programs_->bounds = computeIn("warp_bounds.comp.glsl", {});
     }
+    const Numbers numbers = region.paraboloid   ? Numbers::Paraboloid
+                            : region.isInDouble ? Numbers::Double
+                                                : Numbers::Float;
+    Programs::Drawing& drawing = programs_->drawings[std::size_t(numbers)];
+    if (drawing.sort.name()) return drawing;
+    const std::string name = numbers == Numbers::Double ? "LIXEL_DOUBLE" : "LIXEL_NO_DOUBLE";
+    const std::string kind = numbers == Numbers::Paraboloid ? "PARABOLOID" : "MATRIX";
+    drawing.sort = computeIn("warp_sort.comp.glsl", {name, kind});
+    drawing.small = computeIn("warp_draw.comp.glsl", {name, kind});
+    drawing.large = computeIn("warp_draw.comp.glsl", {name, kind, "RUNS"});
+    drawing.smallMasked = computeIn("warp_draw.comp.glsl", {name, kind, "MASKED"});
+    drawing.largeMasked = computeIn("warp_draw.comp.glsl", {name, kind, "RUNS", "MASKED"});
+    return drawing;
 }
 
 void ExactWarp::run(const FramePlan& plan, const PlannedRegion& region, int index, const PlanTables& tables,
-                    const Surfaces& casters, const CasterDraws& draws, const ShadowAtlas& atlas)
+                    const Surfaces& casters, const CasterDraws& draws, const ShadowAtlas& atlas, WarpRoom& room)
 {
     LX_ASSERT(!region.warp.isIdentity());
     if (casters.triangleCount() > casters.trianglesPerBinding())
@@ -194,27 +208,24 @@ void ExactWarp::run(const FramePlan& plan, const PlannedRegion& region, int inde
             fmt::format("the scene has {} triangles, the graphics device takes {} in one buffer when maps are "
                         "warped exactly; use raster=tessellate or --executor trace",
                         casters.triangleCount(), casters.trianglesPerBinding()));
-    makePrograms();
+    const Programs::Drawing& drawing = programsFor(region);
+    room_ = &room;
     const LixelRectangle& r = region.rectangle;
     const int runs = (r.height() + shared::LX_WARP_RUN - 1) / shared::LX_WARP_RUN;
     size_ = {float(r.width()), float(r.height()), float(runs), 0};
     tables.bind();
     tables.copyRegion(std::size_t(index), region_);
     region_.bindUniform(shared::kUniformRegion, sizeof(shared::ShadowRegion));
-    makeBounds(region.warp, plan.regionTable[std::size_t(index)].warp);
+    shared::WarpRasterSetup setup;
+    setup.size = size_;
+    makeRoom(r, layOutLevels(linesOf(region.warp), region.warp.columns + 1, setup.levels), casters.triangleCount());
+    setup_.assign(std::span<const shared::WarpRasterSetup>(&setup, 1));
+    setup_.bindUniform(shared::kUniformWarpRaster, sizeof(setup));
+    makeBounds(region.warp, plan.regionTable[std::size_t(index)].warp, setup);
     makeRays(r);
-
-    const std::size_t bytes = std::size_t(r.width()) * std::size_t(r.height()) * sizeof(float);
-    depths_.reserve(bytes);
-    depths_.clear(0, bytes);
-    depths_.bindStorage(shared::kStorageWarpDepths, 0, bytes);
-    capacity_ = std::min(casters.triangleCount(), kSpansAtOnce * kTrianglesOfSpan);
-    queued_.reserve(kQueues * std::size_t(capacity_) * kBytesQueued);
-    queued_.bindStorage(shared::kStorageWarpQueued);
     listSpans(draws);
     casters.bindTriangles(0, casters.triangleCount());
     casters.bindMaterials();
-    const Programs::Drawing& drawing = region.isInDouble ? programs_->inDouble : programs_->inFloat;
     for (std::size_t i = 0; i < draws.groups().size(); ++i)
         drawGroup(drawing, draws.groups()[i], casters, spansBefore_[i], spansBefore_[i + 1] - spansBefore_[i]);
     copyInto(atlas, r);
@@ -222,11 +233,7 @@ void ExactWarp::run(const FramePlan& plan, const PlannedRegion& region, int inde
 
 std::size_t ExactWarp::bytes() const
 {
-    std::size_t sum = 0;
-    for (const Buffer* buffer :
-         {&region_, &setup_, &bounds_, &rays_, &runs_, &spansOnDevice_, &queues_, &queued_, &depths_})
-        sum += buffer->capacity();
-    return sum;
+    return region_.capacity() + setup_.capacity() + spansOnDevice_.capacity() + queues_.capacity();
 }
 
 } // namespace lixel::gl

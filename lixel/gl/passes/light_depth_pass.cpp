@@ -19,6 +19,9 @@ namespace {
 // Location in alpha.glsl.
 constexpr int kSurfaceWrap = 8;
 
+// Behind a paraboloid there is no place (place_caster.glsl).
+void clipAtRims(bool areThere) { (areThere ? glEnable : glDisable)(GL_CLIP_DISTANCE0); }
+
 std::vector<const PlannedRegion*> regionsOf(const FramePlan& plan)
 {
     std::vector<const PlannedRegion*> regions;
@@ -30,8 +33,10 @@ std::vector<const PlannedRegion*> regionsOf(const FramePlan& plan)
 
 } // namespace
 
-std::vector<Plane> casterVolume(const Mat4d& lightClipFromLocal)
+std::vector<Plane> casterVolume(const LightProjection& projection)
 {
+    if (projection.paraboloid) return {};
+    const Mat4d& lightClipFromLocal = projection.lightClipFromLocal;
     const Vec4d x = lightClipFromLocal.row(0), y = lightClipFromLocal.row(1), z = lightClipFromLocal.row(2),
                 w = lightClipFromLocal.row(3);
     std::vector<Plane> planes;
@@ -120,7 +125,7 @@ void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const 
         if (wayInto(*regions[i]) != Way::Exact) continue;
         LX_ASSERT(output_ == Output::Depth);
         listCasters(regions, casters, {int(i), 1}, culling, 1);
-        exact_.run(plan, *regions[i], int(i), tables, casters, draws_, atlas);
+        exact_.run(plan, *regions[i], int(i), tables, casters, draws_, atlas, warpRoom_);
     }
 }
 
@@ -129,7 +134,7 @@ void LightDepthPass::listCasters(const std::vector<const PlannedRegion*>& region
 {
     volumes_.assign(std::size_t(batch.count), {});
     for (std::size_t i = 0; i < volumes_.size() && culling == Culling::ByRegion; ++i)
-        volumes_[i] = casterVolume(regions[std::size_t(batch.first) + i]->lightClipFromLocal);
+        volumes_[i] = casterVolume(regions[std::size_t(batch.first) + i]->projection());
     draws_.list(casters.runs(), volumes_, std::uint32_t(batch.first), among);
     drawn_ += draws_.drawn();
     culled_ += draws_.culled();
@@ -140,9 +145,15 @@ void LightDepthPass::drawSurfaces(const std::vector<const PlannedRegion*>& regio
 {
     for (const Way way : {Way::Plain, Way::Moved, Way::Tessellated}) {
         std::uint32_t among = 0;
-        for (int i = 0; i < batch.count; ++i)
-            if (wayInto(*regions[std::size_t(batch.first + i)]) == way) among |= 1u << i;
+        bool areOnParaboloids = false;
+        for (int i = 0; i < batch.count; ++i) {
+            const PlannedRegion& region = *regions[std::size_t(batch.first + i)];
+            if (wayInto(region) != way) continue;
+            among |= 1u << i;
+            areOnParaboloids |= region.paraboloid.has_value();
+        }
         if (among == 0) continue;
+        clipAtRims(areOnParaboloids);
         listCasters(regions, casters, batch, culling, among);
         if (!draws_.commands().empty()) drawListed(way, casters, batch);
     }
@@ -186,15 +197,20 @@ void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const 
     };
     if (std::any_of(regions.begin(), regions.end(), asksForMore))
         throw GraphicsError(
-            "casters that the host draws get into warped maps by their vertices alone; use raster=vertices");
+            "casters that the host draws get into warped maps by their vertices alone; use raster=vertices, or hand "
+            "their buffers over");
     drawn_ = culled_ = 0;
     std::vector<CasterView> views;
     forEachBatch(plan, tables, atlas, [&](const Batch& batch) {
         views.clear();
-        for (int i = batch.first; i < batch.first + batch.count; ++i)
+        bool areOnParaboloids = false;
+        for (int i = batch.first; i < batch.first + batch.count; ++i) {
+            areOnParaboloids |= regions[std::size_t(i)]->paraboloid.has_value();
             views.push_back({std::uint32_t(i), culling == Culling::ByRegion
-                                                   ? casterVolume(regions[std::size_t(i)]->lightClipFromLocal)
+                                                   ? casterVolume(regions[std::size_t(i)]->projection())
                                                    : std::vector<Plane>{}});
+        }
+        clipAtRims(areOnParaboloids);
         casters.draw(views);
     });
 }

@@ -39,10 +39,10 @@ public:
     std::uint64_t trianglesDrawn() const { return drawn_; }
     std::uint64_t trianglesCulled() const { return culled_; }
 
-    std::size_t warpBytes() const
-    {
-        return exact_.bytes();
-    } // on the device, of what exact drawing into warped maps keeps
+    // For passes around warps that are over before maps are drawn.
+    WarpRoom& warpRoom() { return warpRoom_; }
+    // On the device, of what exact drawing into warped maps keeps, the room included.
+    std::size_t warpBytes() const { return exact_.bytes() + warpRoom_.bytes(); }
 
 private:
     // Regions [first, first + count) of the plan.
@@ -70,6 +70,7 @@ private:
     Output output_;
     std::array<Programs, 3> programs_; // of the ways that draw; made when first needed
     ExactWarp exact_;
+    WarpRoom warpRoom_;
     int mostViewports_ = 1;
     Buffer batch_, commands_, instances_;
     CasterDraws draws_;
@@ -78,7 +79,7 @@ private:
 };
 
 // What lies outside of these half-spaces, in Local space, cannot darken a lixel of the region: its sides and its far plane,
-// but not the near one.
-std::vector<Plane> casterVolume(const Mat4d& lightClipFromLocal);
+// but not the near one. None of a paraboloid, which sees more than half of all directions.
+std::vector<Plane> casterVolume(const LightProjection& projection);
 
 } // namespace lixel::gl

@@ -3,6 +3,7 @@
 
 #include "lixel/base/assert.h"
 #include "lixel/shared/gl_slots.h"
+#include "lixel/shared/paraboloid.h"
 
 #include <epoxy/gl.h>
 
@@ -42,6 +43,8 @@ void LookupPass::run(const FramePlan& plan, const PlanTables& tables, const Maps
         defines.emplace_back("LIXEL_NO_DOUBLE");
     if (!anyRegion([](const shared::ShadowRegion& region) { return region.warp.kind.x > 0; }))
         defines.emplace_back("LIXEL_NO_WARP");
+    if (!anyRegion([](const shared::ShadowRegion& region) { return shared::lxIsOnParaboloid(region); }))
+        defines.emplace_back("LIXEL_NO_PARABOLOID");
     if (!isOneDepth(plan.lookup.how)) defines.push_back(lookupDefine(plan.lookup.how));
     const Program& program = programs_.with(defines);
     program.set(kTapsPerSide, plan.lookup.tapsPerSide);

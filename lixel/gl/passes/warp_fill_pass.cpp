@@ -65,6 +65,23 @@ void WarpFillPass::listParts(const FramePlan& plan, std::size_t light)
     }
 }
 
+void WarpFillPass::makeRoom(const PointList& points)
+{
+    std::size_t sums = 0; // of the axis that needs most
+    for (const Part& part : parts_) {
+        const auto columns = std::size_t(part.warp->columns), rows = std::size_t(part.warp->rows);
+        sums = std::max(sums, 2 * columns * rows + std::max(columns, rows));
+    }
+    WarpRoom::Parts parts;
+    importance_ = parts.add(std::size_t(cells_ + behindCells_) * sizeof(std::uint32_t));
+    weights_ = parts.add(points.size() * sizeof(std::uint32_t));
+    sums_ = parts.add(sums * sizeof(float));
+    room_->reserve(parts);
+    room_->clear(importance_);
+    room_->bindStorage(shared::kStorageImportance, importance_);
+    room_->bindStorage(shared::kStorageLineSums, sums_);
+}
+
 void WarpFillPass::setUp(const FramePlan& plan, const WarpFill& fill, const View& view, const Light& light,
                          const PointList& points)
 {
@@ -81,19 +98,14 @@ void WarpFillPass::setUp(const FramePlan& plan, const WarpFill& fill, const View
     const float farthest = std::numeric_limits<float>::max();
     nearest_.assign(std::span<const float>(&farthest, 1));
     nearest_.bindStorage(shared::kStorageNearest);
-    const std::size_t bytes = std::size_t(cells_ + behindCells_) * sizeof(std::uint32_t);
-    importance_.reserve(bytes);
-    importance_.clear(0, bytes);
-    importance_.bindStorage(shared::kStorageImportance);
-    weights_.reserve(points.size() * sizeof(std::uint32_t));
 }
 
 void WarpFillPass::count(const Program& program, const PointList& points)
 {
     for (const PointList::Part& part : points.parts(sizeof(std::uint32_t))) {
         points.bind(part);
-        weights_.bindStorage(shared::kStorageWeights, part.first * sizeof(std::uint32_t),
-                             part.count * sizeof(std::uint32_t));
+        room_->bindStorage(shared::kStorageWeights,
+                           {weights_.first + part.first * sizeof(std::uint32_t), part.count * sizeof(std::uint32_t)});
         program.set(kPointCount, std::uint32_t(part.count));
         dispatch(program, part.count);
     }
@@ -102,9 +114,6 @@ void WarpFillPass::count(const Program& program, const PointList& points)
 void WarpFillPass::makeFunctions(const Axis& axis, const WarpOptions& options)
 {
     const int reach = std::min(int(std::lround(axis.smooth * axis.lines)), axis.lines);
-    const std::size_t map = std::size_t(axis.lines) * std::size_t(axis.cells);
-    sums_.reserve((2 * map + std::size_t(axis.cells)) * sizeof(float));
-    sums_.bindStorage(shared::kStorageLineSums);
     const Program &among = programs_->among, &along = programs_->along;
     among.set(kFirstCell, axis.firstCell);
     among.set(kLines, axis.lines);
@@ -127,7 +136,7 @@ void WarpFillPass::makeNow(const NowWarp& now, const Program& moved, const Point
         if (!part.warp->isIdentity())
             makeFunctions({part.firstCell, part.warp->rows, part.warp->columns, int(part.row.grid.x), options.smooth},
                           options);
-    importance_.clear(0, std::size_t(cells_) * sizeof(std::uint32_t));
+    room_->clear({importance_.first, std::size_t(cells_) * sizeof(std::uint32_t)});
     count(moved, points);
     for (const Part& part : parts_)
         if (!part.warp->isIdentity())
@@ -168,7 +177,7 @@ void WarpFillPass::makeRtw(const RtwWarp& rtw)
 }
 
 void WarpFillPass::run(const FramePlan& plan, const WarpFill& fill, const View& view, const Light& light,
-                       const PointList& points, const PlanTables& tables)
+                       const PointList& points, const PlanTables& tables, WarpRoom& room)
 {
     LX_ASSERT(points.originWorld() == plan.originWorld && fill.light < plan.lights.size());
     const WarpOptions* options = warpOptionsOf(fill.choice);
@@ -179,6 +188,8 @@ void WarpFillPass::run(const FramePlan& plan, const WarpFill& fill, const View& 
             "without edges or --executor trace");
     makePrograms();
     listParts(plan, fill.light);
+    room_ = &room;
+    makeRoom(points);
     setUp(plan, fill, view, light, points);
     tables.bind();
     if (options->importance.has(kDistanceWeight))
@@ -198,11 +209,6 @@ void WarpFillPass::run(const FramePlan& plan, const WarpFill& fill, const View& 
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-std::size_t WarpFillPass::bytes() const
-{
-    std::size_t sum = 0;
-    for (const Buffer* buffer : {&setup_, &nearest_, &importance_, &weights_, &sums_}) sum += buffer->capacity();
-    return sum;
-}
+std::size_t WarpFillPass::bytes() const { return setup_.capacity() + nearest_.capacity(); }
 
 } // namespace lixel::gl

@@ -6,6 +6,7 @@
 #include "lixel/gl/device/program.h"
 #include "lixel/gl/passes/plan_tables.h"
 #include "lixel/gl/passes/point_list.h"
+#include "lixel/gl/passes/warp_room.h"
 #include "lixel/plan/warp/warp_choice.h"
 #include "lixel/plan/warp/warp_fill.h"
 
@@ -25,9 +26,9 @@ class WarpFillPass
 public:
     static constexpr const char* kName = "importance";
     void run(const FramePlan& plan, const WarpFill& fill, const View& view, const Light& light, const PointList& points,
-             const PlanTables& tables);
+             const PlanTables& tables, WarpRoom& room);
 
-    std::size_t bytes() const; // of temporaries on the device
+    std::size_t bytes() const; // on the device, besides the room
 
 private:
     // A region's part of the importance maps and of the table of knots.
@@ -46,6 +47,7 @@ private:
 
     void makePrograms();
     void listParts(const FramePlan& plan, std::size_t light);
+    void makeRoom(const PointList& points);
     void setUp(const FramePlan& plan, const WarpFill& fill, const View& view, const Light& light,
                const PointList& points);
     void count(const Program& program, const PointList& points);
@@ -60,7 +62,9 @@ private:
         std::array<Program, 2> weigh, moved; // the second for regions in double
     };
     std::optional<Programs> programs_; // once there is such a plan
-    Buffer setup_, nearest_, importance_, weights_, sums_;
+    Buffer setup_, nearest_;
+    WarpRoom* room_ = nullptr; // of this run
+    WarpRoom::Part importance_, weights_, sums_;
     std::vector<Part> parts_;
     int cells_ = 0;       // of all importance maps
     int behindCells_ = 0; // room for lines behind them

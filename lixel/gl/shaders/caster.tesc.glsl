@@ -32,10 +32,35 @@ bool isBefore(vec3 a, vec3 b)
     return a.z < b.z;
 }
 
+// On a paraboloid edges bend without a warp, too: their points are projected one by one.
+vec2 lixelOnParaboloid(ShadowRegion region, vec3 position)
+{
+    vec2 lixel = lxParaboloidNdc(region, lxLightClip(region, position)).xy * region.lixelFromNdc.xy + region.lixelFromNdc.zw;
+    return lxWarpedLixel(region.warp, lixel).at;
+}
+
+// Of a place beside a straight edge.
+float besideEdge(vec2 at, vec2 from, vec2 to)
+{
+    vec2 along = to - from;
+    float lengthAlong = length(along);
+    return lengthAlong > 0.0 ? abs(along.x * (at.y - from.y) - along.y * (at.x - from.x)) / lengthAlong : distance(at, from);
+}
+
+float piecesOnParaboloid(ShadowRegion region, vec3 a, vec3 b)
+{
+    vec2 from = lixelOnParaboloid(region, a), to = lixelOnParaboloid(region, b);
+    float bend = 0.0;
+    for (int i = 1; i < kPlaces; ++i)
+        bend = max(bend, besideEdge(lixelOnParaboloid(region, mix(a, b, float(i) / float(kPlaces))), from, to));
+    return clamp(ceil(sqrt(bend / kBend)), 1.0, kMostPieces);
+}
+
 // In the same order, whichever triangle asks.
 float piecesOf(ShadowRegion region, vec3 p, vec3 q)
 {
     vec3 a = isBefore(p, q) ? p : q, b = isBefore(p, q) ? q : p;
+    if (lxIsOnParaboloid(region)) return piecesOnParaboloid(region, a, b);
     vec4 clipA = lxLightClip(region, a), clipB = lxLightClip(region, b);
     if (clipA.w <= 0.0 || clipB.w <= 0.0) return 1.0;
     vec2 fromA = lixelOf(region, clipA), fromB = lixelOf(region, clipB);
@@ -69,7 +94,7 @@ void main()
     ShadowRegion region = lixelRegions[lixelView[0]];
     vec3 a = lixelPosition[0], b = lixelPosition[1], c = lixelPosition[2];
     vec3 pieces = vec3(1.0);
-    if (isOutside(lxLightClip(region, a), lxLightClip(region, b), lxLightClip(region, c))) pieces = vec3(0.0);
+    if (!lxIsOnParaboloid(region) && isOutside(lxLightClip(region, a), lxLightClip(region, b), lxLightClip(region, c))) pieces = vec3(0.0);
     else if (region.warp.kind.x != LX_WARP_NONE)
         pieces = vec3(piecesOf(region, b, c), piecesOf(region, c, a), piecesOf(region, a, b));
     gl_TessLevelOuter[0] = pieces.x; // the edge opposite to corner 0

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stages that draw casters know of the plan: its regions and their warps.   LIXEL_NO_WARP   no region of any plan has a warp
+// What stages that draw casters know of the plan: its regions and their warps.   LIXEL_NO_WARP   no region of any plan has a warp, and none
+// is on a paraboloid
 #include "lixel/shared/gl_slots.h"
 #include "lixel/shared/light_clip.h"
 
@@ -8,5 +9,6 @@ layout(std430, binding = kStorageRegions) readonly buffer LixelRegions { ShadowR
 #ifndef LIXEL_NO_WARP
 layout(std430, binding = kStorageWarps) readonly buffer LixelWarps { float lixelWarps[]; };
 float lxWarpKnot(int i) { return lixelWarps[i]; }
+#include "lixel/shared/paraboloid.h"
 #include "lixel/shared/warp.h"
 #endif

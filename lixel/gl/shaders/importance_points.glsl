@@ -2,6 +2,7 @@
 // View samples, one a pixel, and the regions of one light that serve them before any warp (lixel/plan/warp/region_warps.h).
 #include "lixel/shared/gl_slots.h"
 #include "lixel/shared/light_clip.h"
+#include "lixel/shared/paraboloid.h"
 #include "lixel/shared/view_tables.h"
 #include "lixel/shared/warp_fill.h"
 
@@ -21,8 +22,10 @@ float distance2ToEye(vec3 positionLocal)
 vec2 lixelBefore(ShadowRegion region, vec3 positionLocal, out bool isServed)
 {
     vec4 clip = lxLightClip(region, positionLocal);
-    vec2 at = clip.xy / clip.w * region.lixelFromNdc.xy + region.lixelFromNdc.zw;
-    isServed = clip.w > 0.0 && clip.z >= 0.0 && all(greaterThanEqual(at, region.serves.xy)) &&
+    bool isOnParaboloid = lxIsOnParaboloid(region);
+    vec3 ndc = isOnParaboloid ? lxParaboloidNdc(region, clip) : clip.xyz / clip.w;
+    vec2 at = ndc.xy * region.lixelFromNdc.xy + region.lixelFromNdc.zw;
+    isServed = (isOnParaboloid || clip.w > 0.0) && ndc.z >= 0.0 && all(greaterThanEqual(at, region.serves.xy)) &&
                all(lessThan(at, region.serves.zw));
     return at;
 }

@@ -6,7 +6,7 @@
 // Each caster is drawn instanced, one instance a view: instance i goes into region lixelFirstView + i of the plan, which is
 // CasterView::index of the first view meant. A host that has instances of its own calls lixelCasterInto() instead. Taken here:
 // output locations 0, 4 and 5, shader storage bindings kStorageRegions and kStorageWarps, uniform binding kUniformBatch
-// (lixel/shared/gl_slots.h). A host without warps may define LIXEL_NO_WARP before; LIXEL_TESSELLATE is lixel's own, where
+// (lixel/shared/gl_slots.h). A host without warps and paraboloids may define LIXEL_NO_WARP before; LIXEL_TESSELLATE is lixel's own, where
 // caster.tesc.glsl and caster.tese.glsl follow.
 #ifdef LIXEL_TESSELLATE
 #include "lixel/shared/gl_slots.h"

@@ -12,6 +12,8 @@
 // depths are relative to the triangle, wherever it lies.
 #include "lixel/gl/shaders/warp_region.glsl"
 
+#define Ray vec2
+
 struct RayTriangle
 {
     vec2 pivot;      // NDC
@@ -27,6 +29,8 @@ struct RayTriangle
 
 // NDC by which floats may stray: a ray so near an edge meets both triangles that share it, and no gap is left.
 const float kRayRounding = 5.0e-7;
+
+vec2 rayOf(vec2 place) { return place; }
 
 vec2 acrossIt(vec2 v) { return vec2(v.y, -v.x); }
 

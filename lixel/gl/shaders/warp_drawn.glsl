@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Draws triangles into a warped map, lixel by lixel: each has the depth at which its ray meets the triangle.
-//   MASKED   the surface has holes
-#include "lixel/gl/shaders/caster_box.glsl"
+//   MASKED   the surface has holes   PARABOLOID   the region is on one
 #include "lixel/gl/shaders/caster_triangles.glsl"
+#ifdef PARABOLOID
+#include "lixel/gl/shaders/paraboloid_triangle.glsl"
+#include "lixel/gl/shaders/paraboloid_box.glsl"
+#else
 #include "lixel/gl/shaders/ray_triangle.glsl"
+#include "lixel/gl/shaders/caster_box.glsl"
+#endif
 #include "lixel/gl/shaders/warp_columns.glsl"
 #ifdef MASKED
 #include "lixel/gl/shaders/alpha.glsl"
@@ -14,7 +19,7 @@ layout(std430, binding = kStorageColours) readonly buffer Colours { float colour
 layout(location = 0) uniform ivec2 strides; // of the two, a vertex; 0: one value for all
 #endif
 
-layout(std430, binding = kStorageWarpRays) readonly buffer Rays { vec2 rays[]; };  // column by column
+layout(std430, binding = kStorageWarpRays) readonly buffer Rays { vec2 rays[]; };  // places before the warp, column by column
 layout(std430, binding = kStorageWarpDepths) buffer Depths { uint depths[]; };    // as bits, which grow with the depth; row by row
 
 #ifdef MASKED
@@ -74,11 +79,11 @@ void drawLixels(Drawn drawn, int column, int first, int last)
     ivec2 size = mapSize();
     int y = first;
     while (y <= last) {
-        vec2 s;
+        Ray s;
         vec3 weights;
         bool isHit = false;
         while (y <= last && !isHit) {
-            s = rays[column * size.y + y] - drawn.triangle.pivot;
+            s = rayOf(rays[column * size.y + y]) - drawn.triangle.pivot;
             weights = weightsAt(drawn.triangle, s);
             isHit = isMet(drawn.triangle, weights);
             ++y;

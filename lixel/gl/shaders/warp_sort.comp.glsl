@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Queues the triangles that may have lixels of a warped map.
-#include "lixel/gl/shaders/caster_box.glsl"
+// Queues the triangles that may have lixels of a warped map.   PARABOLOID   the region is on one
 #include "lixel/gl/shaders/caster_triangles.glsl"
 #include "lixel/gl/shaders/warp_columns.glsl"
+#ifdef PARABOLOID
+#include "lixel/gl/shaders/paraboloid_box.glsl"
+#else
+#include "lixel/gl/shaders/caster_box.glsl"
+#endif
 #include "lixel/gl/shaders/warp_queues.glsl"
 
 layout(local_size_x = 64) in;

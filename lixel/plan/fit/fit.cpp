@@ -16,6 +16,7 @@ std::string_view nameOf(FitFailure failure)
     case FitFailure::PlaneFacesAway: return "plane-faces-away";
     case FitFailure::LightInPlane: return "light-in-plane";
     case FitFailure::EyeInPlane: return "eye-in-plane";
+    case FitFailure::NoPlaceOfLight: return "no-place-of-light";
     }
     return "";
 }
@@ -35,6 +36,8 @@ std::string_view sentenceFor(FitFailure failure)
     case FitFailure::PlaneFacesAway: return "the plane is between eye and light: nothing seen of it faces the light";
     case FitFailure::LightInPlane: return "the light lies in the plane: its rays do not cross it";
     case FitFailure::EyeInPlane: return "the eye lies in the plane, which is seen edge-on";
+    case FitFailure::NoPlaceOfLight:
+        return "a directional light has no place to put a paraboloid at: dual-paraboloid serves spot and point lights";
     }
     return "";
 }

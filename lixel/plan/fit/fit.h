@@ -9,6 +9,7 @@
 #include "lixel/plan/boundary_directions.h"
 #include "lixel/plan/fit/edge_rays.h"
 #include "lixel/plan/fit/need_sample.h"
+#include "lixel/plan/light_projection.h"
 #include "lixel/plan/partition/find_planes.h"
 #include "lixel/plan/warp/warp_scratch.h"
 
@@ -34,6 +35,7 @@ enum class FitFailure {
     PlaneFacesAway,        // the plane is between the eye and the light: nothing seen of it faces the light
     LightInPlane,          // the light lies in the plane: its rays do not cross it
     EyeInPlane,            // the plane is seen edge-on
+    NoPlaceOfLight,        // the light is directional, and the partition needs one with a place
 };
 std::string_view nameOf(FitFailure failure);
 std::string_view sentenceFor(FitFailure failure);
@@ -162,6 +164,9 @@ struct Fit
     int framesKept = 0; // since it was last asked for anew, of what FitInput::before had
 
     std::optional<PixelRectangle> pixels = {}; // the NDC square is this part of the picture, at a lixel a pixel
+
+    std::optional<Paraboloid> paraboloid = {}; // in place of the division by w
+    LightProjection projection() const { return {lightClipFromLocal, paraboloid}; }
 
     // Of half its size: what floats of the matrix may move a receiver by, for fits that do not see to it themselves.
     double rounding = 0;

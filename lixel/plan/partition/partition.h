@@ -17,6 +17,8 @@ struct Cell
     CellPlanes holdsLocal;
     std::optional<PlaneOfCell> plane = {}; // of cells made for a plane
     int planeNumber = -1;                  // which of PlanInput::planes, or of those found, in their order
+    std::optional<Vec3d> paraboloidAxis =
+        {}; // of cells whose map is a paraboloid's (fit/paraboloid.h): unit, away from the light
 };
 
 inline constexpr std::size_t kMostCells = 16;

@@ -21,10 +21,10 @@ std::optional<Vec2d> lixelIn(const PlannedRegion& region, Vec3d p)
 {
     for (const Plane& plane : region.halfSpacesLocal)
         if (plane.signedDistance(p) < 0) return std::nullopt;
-    const Vec4d c = region.lightClipFromLocal * point(p);
-    if (!(c.w > 0) || c.z > c.w) return std::nullopt;
+    const auto ndc = region.projection().ndcAt(p);
+    if (!ndc || ndc->z > 1) return std::nullopt;
     const LixelRectangle& r = region.rectangle;
-    const Vec2d at{r.x0 + (0.5 + 0.5 * c.x / c.w) * r.width(), r.y0 + (0.5 + 0.5 * c.y / c.w) * r.height()};
+    const Vec2d at{r.x0 + (0.5 + 0.5 * ndc->x) * r.width(), r.y0 + (0.5 + 0.5 * ndc->y) * r.height()};
     const bool isInside = at.x >= r.x0 + region.guard.x && at.x < r.x1 - region.guard.x &&
                           at.y >= r.y0 + region.guard.y && at.y < r.y1 - region.guard.y;
     return isInside ? std::optional(at) : std::nullopt;
@@ -116,6 +116,16 @@ void warpRegions(const ImportanceSource& source, const WarpChoice& choice, const
         if (!square) continue;
         placeSamples(regions[i], *square, std::uint8_t(i), scratch);
         if (!scratch.placed.empty()) warpRegion(choice, *square, scratch, regions[i].warp);
+    }
+}
+
+void warpParaboloids(WarpRaster raster, RegionWarpScratch& scratch, std::span<PlannedRegion> regions)
+{
+    for (PlannedRegion& region : regions) {
+        if (!region.paraboloid || !region.warp.isIdentity()) continue;
+        region.warp = {WarpLines::Rectilinear, raster, 1, 1, takeSpare(scratch), takeSpare(scratch), region.rectangle};
+        region.warp.rowKnots.assign({0, 1});
+        region.warp.columnKnots.assign({0, 1});
     }
 }
 

@@ -20,6 +20,9 @@ void recycleKnots(FramePlan& plan, RegionWarpScratch& scratch);
 void warpRegions(const ImportanceSource& source, const WarpChoice& choice, const LookupLayout& lookup,
                  RegionWarpScratch& scratch, std::span<PlannedRegion> regions);
 
+// Regions on paraboloids that have none get the identity, in one cell: what is drawn and looked up then goes one way with that of warps.
+void warpParaboloids(WarpRaster raster, RegionWarpScratch& scratch, std::span<PlannedRegion> regions);
+
 // Even ones, for a device to fill.
 void warpRegionsEvenly(const WarpChoice& choice, const LookupLayout& lookup, RegionWarpScratch& scratch,
                        std::span<PlannedRegion> regions);

@@ -13,9 +13,12 @@ std::optional<WarpLayout> layoutWarps(const PlanInput& input, FitScratch& scratc
         return std::nullopt;
     PlanInput without = input;
     without.technique.warp = NoWarp{};
+    if (auto* partition = std::get_if<DualParaboloidPartition>(&without.technique.partition))
+        partition->raster = options->raster; // of regions too small for a warp
     WarpLayout layout{planShadows(without, scratch), {}};
     FramePlan& plan = layout.plan;
-    std::size_t row = 0; // of the table: regions light by light
+    plan.warpTable.clear(); // of paraboloids
+    std::size_t row = 0;    // of the table: regions light by light
     for (std::size_t i = 0; i < plan.lights.size(); ++i) {
         warpRegionsEvenly(input.technique.warp, plan.lookup, scratch.warps, plan.lights[i].regions);
         for (const PlannedRegion& region : plan.lights[i].regions)

@@ -170,6 +170,9 @@ std::optional<Expected<WarpChoice, std::string>> readWarp(const Word& word)
     return isNow ? WarpChoice(now) : WarpChoice(rtw);
 }
 
+std::optional<WarpRaster> rasterNamed(std::string_view name) { return named(kRasters, name); }
+std::string_view nameOf(WarpRaster raster) { return nameIn(kRasters, raster); }
+
 std::string nameOf(const WarpChoice& choice)
 {
     if (const auto* rtw = std::get_if<RtwWarp>(&choice)) return fmt::format("rtw({})", nameOf(rtw->options));
