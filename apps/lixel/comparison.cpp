@@ -60,10 +60,11 @@ Density densityOf(const ShotContext& context, const ShadowPlan& plan, std::size_
     return out;
 }
 
-Agreement agreementWith(std::string_view other, const ExecutorAgreement& a)
+Agreement agreementWith(std::string_view other, const ExecutorAgreement& a, const LixelAgreement& lixels)
 {
     return {std::string(other), a.agreementPercent(),
-            a.misclassifiedByEither > 0 ? std::optional(a.sharedMisclassifiedPercent()) : std::nullopt};
+            a.misclassifiedByEither > 0 ? std::optional(a.sharedMisclassifiedPercent()) : std::nullopt,
+            lixels.lixels > 0 ? std::optional(lixels.percent()) : std::nullopt};
 }
 
 Measurement measured(const ShotContext& context, std::size_t light, const Visibility& visibility)
@@ -215,18 +216,22 @@ std::vector<ResultRow> rowsOf(const ShotContext& context, Executor& executor, co
 namespace {
 
 // Rows of the two executors side by side carry how far they agree.
-void addAgreement(const ShotContext& context, std::vector<ResultRow>& rows,
+void addAgreement(const ShotContext& context, const FramePlan* plan, std::vector<ResultRow>& rows,
                   std::span<const std::vector<Visibility>> visibility,
                   std::span<const std::unique_ptr<Executor>> executors)
 {
     const std::size_t lights = context.shot.lights.size();
+    std::vector<std::vector<Image<float>>> maps;
+    for (std::size_t e = 0; e < 2 && plan; ++e) maps.push_back(executors[e]->maps(context.stage, *plan));
     for (std::size_t e = 0; e < 2; ++e)
         for (std::size_t light = 0; light < lights; ++light) {
             auto* m = std::get_if<Measurement>(&rows[e * lights + light].outcome);
             if (!m || visibility[1 - e][light].value.empty()) continue; // one of them refuses
             const ExecutorAgreement a = agreement(context.truth.zones[light], visibility[0][light],
                                                   visibility[1][light], context.truth.exact[light]);
-            m->agreement = agreementWith(executors[1 - e]->name(), a);
+            m->agreement =
+                agreementWith(executors[1 - e]->name(), a,
+                              plan ? lixelAgreement(plan->lights[light], maps[0], maps[1]) : LixelAgreement{});
         }
 }
 
@@ -275,7 +280,7 @@ std::vector<ResultRow> rowsOfAll(const ShotContext& context, std::span<const std
         visibility.push_back(answer ? std::move(answer).value() : std::vector<Visibility>(context.shot.lights.size()));
         rows.insert(rows.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
     }
-    if (executors.size() == 2) addAgreement(context, rows, visibility, executors);
+    if (executors.size() == 2) addAgreement(context, plan ? &*plan : nullptr, rows, visibility, executors);
     return rows;
 }
 

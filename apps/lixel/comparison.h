@@ -5,6 +5,7 @@
 #include "lixel/judge/on_planes.h"
 #include "lixel/judge/score.h"
 #include "lixel/plan/technique.h"
+#include "lixel_agreement.h"
 #include "picture_options.h"
 #include "progress.h"
 #include "shadows.h"
@@ -84,7 +85,8 @@ ResultRow keyOf(const ShotContext& context, const TechniqueChoice& choice, std::
 // The counts of a row.
 Measurement measured(const ShotContext& context, std::size_t light, const Visibility& visibility);
 
-Agreement agreementWith(std::string_view other, const ExecutorAgreement& a);
+// `lixels`: none of a technique without a map.
+Agreement agreementWith(std::string_view other, const ExecutorAgreement& a, const LixelAgreement& lixels);
 
 // Footprint and density of light-facing samples that the light's map serves.
 struct Density

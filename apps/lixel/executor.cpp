@@ -41,6 +41,10 @@ public:
     {
         return runTraced(*stage.traced, plan, samples);
     }
+    std::vector<Image<float>> maps(const Stage& stage, const FramePlan& plan) override
+    {
+        return traceAtlas(*stage.traced, plan);
+    }
     RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames, const TimedExtras&) override
     {
         const ViewSamples samples = viewSamples(stage, view);
@@ -103,6 +107,10 @@ public:
     std::vector<Visibility> run(const Stage& stage, const FramePlan& plan, const ViewSamples& samples) override
     {
         return executor_.run(plan, stage.buffers.casters(), samples);
+    }
+    std::vector<Image<float>> maps(const Stage& stage, const FramePlan& plan) override
+    {
+        return executor_.drawMaps(plan, stage.buffers.casters());
     }
     RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames,
                    const TimedExtras& extras) override

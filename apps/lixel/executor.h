@@ -58,6 +58,9 @@ public:
     virtual RowTiming timeVolumes(const Stage& stage, const View& view, std::span<const Light> lights, int frames,
                                   bool isShaded) = 0;
 
+    // The maps of a plan, one image a layer of its atlas: 1 near, 0 far and empty.
+    virtual std::vector<Image<float>> maps(const Stage& stage, const FramePlan& plan) = 0;
+
     // Times of the frame that run() makes, without bringing results back: the median of `frames` undisturbed ones after two
     // more, and each pass by itself.
     virtual RowTiming time(const Stage& stage, const FramePlan& plan, const View& view, int frames,

@@ -202,11 +202,15 @@ void PathComparison::addTechnique(const ShotContext& context, std::size_t techni
             addPictures(technique, e, rowsOf(context, executor, choice, said[e].ofSamples, planOrNull));
     }
     if (plan) memories_[technique] = memoryOf(choice, subject, *plan, said.front().ofSamples);
+    std::vector<std::vector<Image<float>>> maps;
+    for (std::size_t e = 0; e < 2 && said.size() == 2 && plan; ++e)
+        maps.push_back(executors_[e]->maps(context.stage, *plan));
     for (std::size_t light = 0; light < lights_ && said.size() == 2; ++light) {
         if (plan && plan->lights[light].refused) continue;
         const ExecutorAgreement counts = agreement(now.truth.zones[light], said[0].ofSamples[light],
                                                    said[1].ofSamples[light], now.truth.exact[light]);
-        for (std::size_t e = 0; e < 2; ++e) rowOf(technique, e, light).add(counts);
+        const LixelAgreement lixels = plan ? lixelAgreement(plan->lights[light], maps[0], maps[1]) : LixelAgreement{};
+        for (std::size_t e = 0; e < 2; ++e) rowOf(technique, e, light).add(counts, lixels);
     }
 }
 

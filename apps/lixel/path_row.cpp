@@ -63,8 +63,9 @@ void PathRow::add(const Density& density)
     append(lixelsPerPixel_, density.lixelsPerPixelList);
 }
 
-void PathRow::add(const ExecutorAgreement& counts)
+void PathRow::add(const ExecutorAgreement& counts, const LixelAgreement& lixels)
 {
+    lixels_ += lixels;
     agreement_.lightFacing += counts.lightFacing;
     agreement_.agreeing += counts.agreeing;
     agreement_.misclassifiedByEither += counts.misclassifiedByEither;
@@ -101,7 +102,7 @@ ResultRow PathRow::finished(bool isStill, std::string_view other)
     Measurement m = std::move(sum_);
     m.footprintPixelsPerLixel = percentiles(std::move(pixelsPerLixel_));
     m.densityLixelsPerPixel = percentiles(std::move(lixelsPerPixel_));
-    if (!other.empty()) m.agreement = agreementWith(other, agreement_);
+    if (!other.empty()) m.agreement = agreementWith(other, agreement_, lixels_);
     m.temporal = std::move(temporal_);
     m.temporal->isStill = isStill;
     out.outcome = std::move(m);

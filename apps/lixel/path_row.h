@@ -32,7 +32,7 @@ public:
     void add(const Measurement& counts);
     void addMap(std::int64_t lixels, std::int64_t bytesPerLixel);
     void add(const Density& density);
-    void add(const ExecutorAgreement& counts);
+    void add(const ExecutorAgreement& counts, const LixelAgreement& lixels);
 
     // Of the samples carried `from` the frame before; nothing where that was refused.
     void addFlips(const TruthBefore& before, std::span<const std::uint32_t> from, std::span<const ShadowState> map,
@@ -49,6 +49,7 @@ private:
     Measurement sum_;
     Temporal temporal_;
     ExecutorAgreement agreement_;
+    LixelAgreement lixels_;
     std::vector<double> pixelsPerLixel_, lixelsPerPixel_;
     std::optional<std::vector<ShadowState>> states_; // of the frame before; none where it was refused
     std::optional<FitFailure> refused_;              // the last reason

@@ -144,6 +144,7 @@ void putMeasurement(Json& row, const Measurement& of)
         row["agreement_with"] = of.agreement->executor;
         row["agreement_percent"] = of.agreement->agreementPercent;
         row["shared_misclassified_percent"] = orNull(of.agreement->sharedMisclassifiedPercent);
+        row["lixels_agreeing_percent"] = orNull(of.agreement->lixelsAgreeingPercent);
     }
     if (of.temporal) row["temporal"] = temporal(*of.temporal);
     if (of.shades) row["shades"] = shades(*of.shades);

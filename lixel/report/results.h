@@ -33,6 +33,8 @@ struct Agreement
     double agreementPercent = 0; // samples for which both say the same
     std::optional<double>
         sharedMisclassifiedPercent; // of the samples that either got wrong, those that both did; no value: none wrong
+    std::optional<double> lixelsAgreeingPercent =
+        {}; // of the light's maps, with depths that agree to 1e-4 of the range
 };
 
 // Samples that could flip between two frames, and those that do (judge/temporal.h).

@@ -196,6 +196,11 @@ TEST_F(Compare, BothExecutorsSayHowFarTheyAgree)
     for (const Json& row : rows) {
         EXPECT_EQ(row.at("agreement_with"), row.at("executor") == "gl" ? "trace" : "gl");
         EXPECT_GE(row.at("agreement_percent").get<double>(), 99.5) << row.at("technique");
+        if (row.at("technique") == "exact") {
+            EXPECT_TRUE(row.at("lixels_agreeing_percent").is_null());
+        } else {
+            EXPECT_GE(row.at("lixels_agreeing_percent").get<double>(), 95);
+        }
         EXPECT_EQ(row.at("light_facing"), rows[0].at("light_facing")) << "both are asked about the same samples";
     }
 }

@@ -143,7 +143,7 @@ void addRows(RunResults& run, SampleScene& scene, const SampleTechnique& techniq
     for (const char* executor : {"gl", "trace"}) {
         ResultRow row = rowOf(scene, technique.name, executor);
         Measurement measurement = measure(scene, technique);
-        measurement.agreement = Agreement{row.executor == "gl" ? "trace" : "gl", 99.98, 96.5};
+        measurement.agreement = Agreement{row.executor == "gl" ? "trace" : "gl", 99.98, 96.5, 99.9};
         const std::string name = scene.view + "_" + technique.name + "_" + executor;
         if (!folder.empty()) measurement.pictures = writePictures(folder, name, scene);
         row.outcome = measurement;
@@ -263,7 +263,9 @@ Reproduction sampleReproduction(const fs::path& folder, int size)
                                size / 8,
                                PictureLayer::None});
     out.figures.back().layer = PictureLayer::Boundary;
+    out.plates = {{"how a map is made", {{"counted", "counted.png"}, {"moved", "counted.png"}}}};
     if (folder.empty()) return out;
+    writePng(folder / "counted.png", Image<Rgba8>(4, 3, {80, 90, 100, 255}));
     const char* const boundary = "boundary.png";
     writePng(folder / boundary, boundaryPicture(anyObservation(size), 0));
     for (ResultRow& row : out.run.rows)

@@ -34,7 +34,8 @@ function showRows() {
   ];
   if (measured.some(row => row.agreement_with !== undefined)) columns.push(
     column("Agreement %", "agreement_percent", percentText, "samples for which both executors say the same"),
-    column("Shared errors %", "shared_misclassified_percent", percentText, "of the samples that either got wrong"));
+    column("Shared errors %", "shared_misclassified_percent", percentText, "of the samples that either got wrong"),
+    column("Lixels alike %", "lixels_agreeing_percent", percentText, "lixels of one depth to 1e-4 of the range in both executors' maps"));
   if (measured.some(row => row.planes)) columns.push(
     column("On planes %", row => planeErrors(row, true), percentText, "of samples on the scene's planes"),
     column("Off planes %", row => planeErrors(row, false), percentText, "of all other samples"));
