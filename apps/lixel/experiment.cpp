@@ -7,7 +7,7 @@ namespace lixel::app {
 
 std::span<const Experiment> experiments()
 {
-    static const std::array<Experiment, 11> kAll{{
+    static const std::array<Experiment, 12> kAll{{
         {"normal-against-focused",
          "H. Chong, S. Gortler. Scene Optimized Shadow Mapping. 2007, Table 1 (columns Focused and Normal)",
          "How many more samples does a map of the whole scene get wrong than one focused on the view?", "gl", true,
@@ -50,6 +50,9 @@ std::span<const Experiment> experiments()
          reproduceNowTable2},
         {"now-table3", "Milet et al. 2015, Table 3 and Figure 7",
          "What do warped maps cost and what do they get wrong in rooms and outdoors?", "gl", false, reproduceNowTable3},
+        {"now-figures", "Milet et al. 2015, the teaser, Figures 4 to 7, and section 4 on the minimal shadow frustum",
+         "What do warps do to a map, and do they gain more, the more of the scene is visible?", "trace", false,
+         reproduceNowFigures},
     }};
     return kAll;
 }

@@ -46,5 +46,6 @@ Reproduction reproduceMultipleDepthCost(const ExperimentOptions& options);
 Reproduction reproduceNowTable1(const ExperimentOptions& options);
 Reproduction reproduceNowTable2(const ExperimentOptions& options);
 Reproduction reproduceNowTable3(const ExperimentOptions& options);
+Reproduction reproduceNowFigures(const ExperimentOptions& options);
 
 } // namespace lixel::app

@@ -16,6 +16,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <span>
 #include <stdexcept>
 #include <tuple>
 
@@ -79,6 +80,8 @@ class PictureWriter
 {
 public:
     PictureWriter(AtomicFile& file, const fs::path& folder) : file_(file), folder_(folder) {}
+
+    void write(const std::string& id, const fs::path& file) { writeElement(id, "", bytesOf(folder_ / file)); }
 
     void write(std::size_t row, const ResultRow& of)
     {
@@ -148,7 +151,7 @@ void fillTemplate(AtomicFile& file, std::string_view text, const std::function<v
 
 // The page numbers rows as the JSON has them. `page` is the template's name.
 void writePage(const fs::path& folder, const std::string& json, std::vector<ResultRow> rows,
-               std::string_view page = "report.html")
+               std::string_view page = "report.html", std::span<const PlateRow> plates = {})
 {
     sortByKey(rows);
     AtomicFile file(folder / "report.html");
@@ -159,6 +162,9 @@ void writePage(const fs::path& folder, const std::string& json, std::vector<Resu
         {"pictures",
          [&] {
              for (std::size_t row = 0; row < rows.size(); ++row) pictures.write(row, rows[row]);
+             for (std::size_t i = 0; i < plates.size(); ++i)
+                 for (std::size_t j = 0; j < plates[i].plates.size(); ++j)
+                     pictures.write(fmt::format("plate-{}-{}", i, j), plates[i].plates[j].file);
          }},
     };
     fillTemplate(file, textNamed(reportPage(), page), [&](std::string_view name) {
@@ -177,7 +183,7 @@ void writeReport(const fs::path& folder, const RunResults& results)
 
 void writeReport(const fs::path& folder, const Reproduction& reproduction)
 {
-    writePage(folder, toJson(reproduction), reproduction.run.rows);
+    writePage(folder, toJson(reproduction), reproduction.run.rows, "report.html", reproduction.plates);
 }
 
 void writeReport(const fs::path& folder, const PlaneBudget& study) { writePage(folder, toJson(study), study.run.rows); }

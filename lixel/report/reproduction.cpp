@@ -82,6 +82,17 @@ Json toJson(const std::vector<PictureRow>& figures)
     return all;
 }
 
+Json toJson(const std::vector<PlateRow>& rows)
+{
+    Json all = Json::array();
+    for (const PlateRow& row : rows) {
+        Json plates = Json::array();
+        for (const Plate& plate : row.plates) plates.push_back({{"title", plate.title}, {"file", plate.file}});
+        all.push_back({{"title", row.title}, {"plates", plates}});
+    }
+    return all;
+}
+
 } // namespace
 
 std::string toJson(const std::vector<ReproducedClaim>& claims, bool isOfTiming)
@@ -121,6 +132,7 @@ std::string toJson(const Reproduction& reproduction)
                            {"tables", toJson(reproduction.tables)},
                            {"claims", Json::parse(toJson(reproduction.claims, false))},
                            {"figures", toJson(reproduction.figures)},
+                           {"plates", toJson(reproduction.plates)},
                            {"timing",
                             {{"numbers", toJson(reproduction.timingNumbers)},
                              {"claims", Json::parse(toJson(reproduction.claims, true))}}}};

@@ -68,6 +68,17 @@ struct ReproducedClaim
     bool isOfTiming = false; // depends on the clock and the machine
 };
 
+// Pictures of something else than a view: maps, and what maps are made from.
+struct Plate
+{
+    std::string title, file; // a PNG in the report's folder
+};
+struct PlateRow
+{
+    std::string title;
+    std::vector<Plate> plates; // from left to right
+};
+
 // One experiment of a paper, run again.
 struct Reproduction
 {
@@ -79,7 +90,8 @@ struct Reproduction
     std::vector<ReproducedTable> tables;
     std::vector<ReproducedClaim> claims;
     std::vector<PictureRow> figures; // of rows with pictures
-    RunResults run;                  // what the numbers were made from
+    std::vector<PlateRow> plates;
+    RunResults run; // what the numbers were made from
 };
 
 // The claims that depend on the clock, or the others, as a JSON array.

@@ -307,6 +307,30 @@ TEST(ReproduceNowTables, HaveMisclassifiedPercentOfEveryMethodAndSayWhatIsLeftOu
     EXPECT_NE(run.err.find("conference.glb, sponza_crytek.glb"), std::string::npos) << run.err;
 }
 
+// Rows put samples into more cells, and columns into more again; the page has Figures 4 to 6.
+TEST(ReproduceNowFigures, ShowThatWarpsSpreadSamples)
+{
+    TemporaryFolder folder;
+    CommandOptions options;
+    options.folder = folder.path();
+    const CommandResult run =
+        runLixel({"reproduce", "now-figures", "--quick", "--scenes", "nowhere", "-o", "out", "--json", "-"}, options);
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(schemaError(run.out), "");
+    const Json reproduction = Json::parse(run.out).at("reproduction");
+    std::map<std::string, double> ours;
+    for (const Json& number : reproduction.at("numbers")) ours[number.at("key")] = number.at("ours");
+    const double before = ours.at("city: cells with view samples, before warping"),
+                 byRows = ours.at("city: cells with view samples, after the rows"),
+                 byBoth = ours.at("city: cells with view samples, after the columns");
+    EXPECT_LT(before, byRows);
+    EXPECT_LT(byRows, byBoth);
+    ASSERT_EQ(reproduction.at("plates").size(), 3u);
+    for (const Json& row : reproduction.at("plates"))
+        for (const Json& plate : row.at("plates"))
+            EXPECT_TRUE(fs::exists(folder.path() / "out" / plate.at("file").get<std::string>()));
+}
+
 TEST(ReproduceAll, NeedsAFolderAndTakesNoOptionsOfSingleExperiments)
 {
     TemporaryFolder folder;
@@ -337,7 +361,7 @@ TEST(ReproduceAll, RunsEveryExperimentIntoAFolderOfItsName)
     const std::string text = readWhole(out / "results.json");
     EXPECT_EQ(schemaError(text, "reproductions.schema.json"), "");
     const Json all = Json::parse(text);
-    EXPECT_EQ(all.at("experiments").size(), 11u);
+    EXPECT_EQ(all.at("experiments").size(), 12u);
     EXPECT_TRUE(fs::exists(out / "report.html"));
     for (const Json& experiment : all.at("experiments"))
         EXPECT_TRUE(fs::exists(out / experiment.at("name").get<std::string>() / "report.html")) << experiment;

@@ -308,6 +308,9 @@ def experiment_shows(page):
     page.wait_for("the figures are drawn", PIXELS + "const all = [...document.querySelectorAll('.panel canvas')];"
                   " return all.length === 2 * run.reproduction.figures.reduce((n, f) => n + f.techniques.length, 0)"
                   " && all.every(canvas => pixels(canvas)[3] === 255)")
+    page.wait_for("the plates are drawn", PIXELS + "const all = [...document.querySelectorAll('.plate canvas')];"
+                  " return all.length === run.reproduction.plates.reduce((n, row) => n + row.plates.length, 0)"
+                  " && all.every(canvas => pixels(canvas)[3] === 255)")
     same = page.run(PIXELS + "return (async () => { const at = run.reproduction.figures[0].enlarged;"
                     "const row = run.results.find(row => row.technique === run.reproduction.figures[0].techniques[0]"
                     " && row.view === run.reproduction.figures[0].view);"

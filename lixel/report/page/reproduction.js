@@ -22,7 +22,7 @@ function showReproduction() {
     {...column("Measured", "measured"), className: "message"}, column("Holds", "holds", holds => holds ? "yes" : "no"),
   ], claims, true)] : []);
   byId("reproduced-tables").replaceChildren(...experiment.tables.flatMap(makeTable));
-  byId("figures").replaceChildren(...experiment.figures.map(makeFigure));
+  byId("figures").replaceChildren(...experiment.figures.map(makeFigure), ...experiment.plates.map(makePlates));
 }
 
 const signedText = value => `${value < 0 ? "\u2212" : "+"}${Math.abs(value).toFixed(1)}\u00a0%`;
@@ -54,6 +54,16 @@ function makeFigure(figure) {
   const panels = element("div", {class: "panels"}, ...rows.map(row => makePanel(row, figure)));
   made.append(panels);
   return made;
+}
+
+// Maps, and what they are made from: lixel by lixel.
+function makePlates({title, plates}, row) {
+  return element("figure", {class: "figure"}, element("figcaption", {}, title),
+    element("div", {class: "panels"}, ...plates.map((plate, column) => {
+      const made = element("div", {class: "plate"}, element("strong", {}, plate.title));
+      pictureOf(`plate-${row}-${column}`).then(canvas => canvas && made.append(canvas));
+      return made;
+    })));
 }
 
 // The picture with a frame around what is enlarged below it.
