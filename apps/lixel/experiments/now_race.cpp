@@ -21,8 +21,8 @@ constexpr int kTimingFrames = 5, kQuickTimingFrames = 1;
 std::string techniqueList()
 {
     std::string list;
-    for (const NowMethod& method : kNowMethods) list += fmt::format("{}{}", list.empty() ? "" : ",", method.technique);
-    return list;
+    for (const NowMethod& method : kNowMethods) list += fmt::format("{},", method.technique);
+    return list + "shadow-volumes";
 }
 
 // What deciding takes on the processor, of a few plans, and the frame on the device, which makes warps itself where it can.
@@ -49,6 +49,14 @@ MethodTimes timesOf(const TechniqueChoice& choice, const PlanSubject& subject, c
     if (layout) extras.warps = layout->fills;
     const FramePlan& timed = layout ? layout->plan : *plan;
     return {planMs[planMs.size() / 2], executor.time(subject.stage, timed, subject.view, frames, extras)};
+}
+
+void add(const Measurement& m, const RowTiming& frame, double planMs, NowOutcome& sum)
+{
+    sum.misclassified += double(m.misclassified), sum.lightFacing += double(m.lightFacing);
+    sum.planMs += planMs;
+    sum.frameMs += frame.frameMs.value_or(0);
+    for (const PassTime& pass : frame.passes) sum.passMs[pass.name] += pass.ms;
 }
 
 } // namespace
@@ -92,18 +100,18 @@ void NowRace::addPicture(const NowScene& scene, const PictureOptions& picture, s
     std::vector<ResultRow> rows = compareTechniques({shooting, shot, stage, view, samples, truth, comparison_},
                                                     executors_, [](std::string_view) {});
     const bool areAllServed =
-        std::all_of(rows.begin(), rows.end(), [](const ResultRow& row) { return row.measured(); });
+        std::all_of(rows.begin(), rows.end() - 1, [](const ResultRow& row) { return row.measured(); });
     refusedPictures_ += !areAllServed;
+    const int frames = options_.isQuick ? kQuickTimingFrames : kTimingFrames;
+    if (const Measurement* volumes = areAllServed ? rows.back().measured() : nullptr)
+        add(*volumes, executors_.front()->timeVolumes(stage, view, shot.lights, frames, true), 0,
+            volumes_[scene.paperName]);
+    else if (areAllServed) withoutVolumes_.insert(scene.paperName);
     const PlanSubject subject{stage, view, shot.lights, shooting.planes, samples};
     for (std::size_t method = 0; areAllServed && method < kNowMethods.size(); ++method) {
-        const Measurement& m = *rows[method].measured();
-        NowOutcome& sum = outcomes_[scene.paperName][method];
-        sum.misclassified += double(m.misclassified), sum.lightFacing += double(m.lightFacing);
-        const MethodTimes times = timesOf(comparison_.techniques[method], subject, comparison_.lixels,
-                                          *executors_.front(), options_.isQuick ? kQuickTimingFrames : kTimingFrames);
-        sum.planMs += times.planMs;
-        sum.frameMs += times.frame.frameMs.value_or(0);
-        for (const PassTime& pass : times.frame.passes) sum.passMs[pass.name] += pass.ms;
+        const MethodTimes times =
+            timesOf(comparison_.techniques[method], subject, comparison_.lixels, *executors_.front(), frames);
+        add(*rows[method].measured(), times.frame, times.planMs, outcomes_[scene.paperName][method]);
     }
     if (areAllServed && !options_.pictures.empty()) {
         PictureRow figure{fmt::format("{}: {}", scene.paperName, shot.name),
@@ -124,6 +132,12 @@ void NowRace::addPicture(const NowScene& scene, const PictureOptions& picture, s
     }
 }
 
+const NowOutcome* NowRace::volumesOf(const NowScene& scene) const
+{
+    const auto found = volumes_.find(scene.paperName);
+    return found == volumes_.end() || withoutVolumes_.contains(scene.paperName) ? nullptr : &found->second;
+}
+
 Reproduction NowRace::finished()
 {
     out_.run.timing.host = executors_.front()->host();
@@ -133,6 +147,9 @@ Reproduction NowRace::finished()
                        {"pictures that some method refuses, not counted", fmt::format("{}", refusedPictures_)},
                        {"seed", fmt::format("{}", options_.seed)}};
     for (const NowMethod& method : kNowMethods) out_.parameters.push_back({method.title, method.technique});
+    out_.parameters.push_back({"SV", "shadow-volumes"});
+    for (const std::string& scene : withoutVolumes_)
+        out_.parameters.push_back({scene + ", SV", "refused, as the rows say"});
     if (!leftOut_.empty())
         out_.parameters.push_back({"scenes left out, since they are not in the folder that --scenes names", leftOut_});
     return std::move(out_);

@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ public:
 
     const std::vector<NowScene>& scenes() const { return scenes_; }
     const NowOutcomes& of(const NowScene& scene) const { return outcomes_.at(scene.paperName); }
+    // Shadow volumes, the paper's SV, over the same pictures; null where some picture refuses them.
+    const NowOutcome* volumesOf(const NowScene& scene) const;
     bool has(const NowScene& scene) const { return outcomes_.count(scene.paperName) > 0; }
 
     // Rows, figures, parameters and the host; numbers are the experiment's.
@@ -49,6 +52,8 @@ private:
     std::vector<std::unique_ptr<Executor>> executors_;
     ComparisonOptions comparison_;
     std::map<std::string, NowOutcomes> outcomes_;
+    std::map<std::string, NowOutcome> volumes_;
+    std::set<std::string> withoutVolumes_; // scenes
     int refusedPictures_ = 0;
     Reproduction out_;
 };
