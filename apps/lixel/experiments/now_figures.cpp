@@ -197,7 +197,7 @@ void NowFigures::addPicture(const NowScene& scene, Taken& taken, double fovy, bo
         ++leftOutPictures_;
         return;
     }
-    ReproducedTable::Row told{fmt::format("{} {}: {:.1f} %", scene.title(), taken.shot().name, 100 * *share), {}};
+    ReproducedTable::Row told{fmt::format("{}: {:.1f} %", taken.shot().name, 100 * *share), {}};
     for (std::size_t method = 0; method < rows.size(); ++method) {
         const Measurement& m = *rows[method].measured();
         picture.misclassified[method] = 100 * double(m.misclassified) / double(m.lightFacing);
@@ -231,7 +231,8 @@ void NowFigures::takeAll(const NowScene& scene)
             PictureOptions picture = scene.pictures[i];
             picture.flags.fovy = fovy;
             Taken taken(picture, *executors_.front());
-            if (picture.view.empty()) taken.shot().name = fmt::format("picture-{}", i + 1);
+            taken.shot().name =
+                fmt::format("{}-{}", scene.title(), picture.view.empty() ? fmt::format("{}", i + 1) : picture.view);
             const bool isShown = i == 0 && fovy == 50;
             if (isShown) addPlates(scene, taken), addMaps(scene, taken);
             addPicture(scene, taken, fovy, isShown);

@@ -91,7 +91,7 @@ void NowRace::addPicture(const NowScene& scene, const PictureOptions& picture, s
 {
     Shooting shooting = prepare(picture, false);
     Shot& shot = shooting.shots.front();
-    if (picture.view.empty()) shot.name = fmt::format("picture-{}", number + 1);
+    if (picture.view.empty()) shot.name = fmt::format("{}-{}", scene.title(), number + 1); // apart from other scenes'
     shot.lights.resize(1);
     const Stage stage = makeStage(shooting.scene, shooting.evaluateOptions, originOf(shooting, shot));
     const View view = viewOf(shooting, shot);
