@@ -69,7 +69,11 @@ void expectCovers(const RandomSetup& setup, const char* technique, bool isOrdina
         ASSERT_TRUE(at);
         EXPECT_LE(at->z, 1);
         // Anything between it and the light is drawn in the same place, no farther.
-        const Vec3d caster = p + rng.uniform(0, 0.5) * setup.radius * towardsLight(setup.light, setup.originWorld, p);
+        const Vec3d toLight = towardsLight(setup.light, setup.originWorld, p);
+        const Vec3d caster = p + rng.uniform(0, 0.5) * setup.radius * toLight;
+        if (setup.light.kind != LightKind::Directional &&
+            dot(toLight, setup.light.positionWorld - setup.originWorld - caster) <= 0)
+            continue; // beyond it
         const double perNearness = awayFrom(projection, p) / awayFrom(projection, caster);
         const auto before = projection.ndcAt(caster);
         if (before && perNearness < 1e6) {
