@@ -58,7 +58,7 @@ void addViews(Scene& scene)
     addView(scene, "spot", "one spot over the middle", lookAt({3.8, 3.6, 7}, {0, 0.3, 0}, 48),
             {spot({-2.6, 7, 2.6}, {0, 0, 0}, 66)});
     addView(scene, "light-in-front", "the sun low in front, long shadows come forward",
-            lookAt({-7.2, 2.4, 1.6}, {0.5, 0.3, -0.3}, 46), {sun({-0.92, -0.36, -0.1})});
+            lookAt({-7.2, 3.8, 1.6}, {0.3, 0, -0.3}, 46), {sun({-0.92, -0.36, -0.1})});
     addView(scene, "grazing", "the sun six degrees above the floor", lookAt({2.6, 3.6, 7.6}, {0, 0.2, 0}, 48),
             {sun({0.97, -0.105, -0.22})});
     addView(scene, "light-at-eye", "a lamp worn on the head", lookAt({4.6, 2.6, 6}, {0, 0.4, 0}, 48),
