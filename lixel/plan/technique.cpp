@@ -179,7 +179,8 @@ Answer takeNoMap(const Word& word, Parts& parts)
 {
     if (word.name != "shadow-volumes") return takeExact(word, parts.noMap);
     if (!word.arguments.empty()) return "\"shadow-volumes\" takes no arguments";
-    return setOnce(parts.noMap, Technique(ShadowVolumesTechnique{}), "technique without a map");
+    const Technique volumes = ShadowVolumesTechnique{};
+    return setOnce(parts.noMap, volumes, "technique without a map");
 }
 
 Answer takeAllocation(const Word& word, Parts& parts)
