@@ -58,6 +58,19 @@ Json toJson(const std::vector<ReproducedTable>& tables)
     return all;
 }
 
+// The charts that depend on the clock, or the others.
+Json toJson(const std::vector<ReproducedChart>& charts, bool isOfTiming)
+{
+    Json all = Json::array();
+    for (const ReproducedChart& chart : charts) {
+        if (chart.isOfTiming != isOfTiming) continue;
+        Json lines = Json::array();
+        for (const auto& line : chart.lines) lines.push_back({{"label", line.label}, {"points", line.points}});
+        all.push_back({{"title", chart.title}, {"x_label", chart.xLabel}, {"unit", chart.unit}, {"lines", lines}});
+    }
+    return all;
+}
+
 const char* nameOf(PictureLayer layer)
 {
     switch (layer) {
@@ -130,11 +143,13 @@ std::string toJson(const Reproduction& reproduction)
                            {"parameters", parameters},
                            {"numbers", toJson(reproduction.numbers)},
                            {"tables", toJson(reproduction.tables)},
+                           {"charts", toJson(reproduction.charts, false)},
                            {"claims", Json::parse(toJson(reproduction.claims, false))},
                            {"figures", toJson(reproduction.figures)},
                            {"plates", toJson(reproduction.plates)},
                            {"timing",
                             {{"numbers", toJson(reproduction.timingNumbers)},
+                             {"charts", toJson(reproduction.charts, true)},
                              {"claims", Json::parse(toJson(reproduction.claims, true))}}}};
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

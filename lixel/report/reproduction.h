@@ -79,6 +79,19 @@ struct PlateRow
     std::vector<Plate> plates; // from left to right
 };
 
+// Curves over one quantity, drawn over logarithmic axes: all values are above 0.
+struct ReproducedChart
+{
+    struct Line
+    {
+        std::string label;
+        std::vector<std::pair<double, double>> points; // (x, y), by growing x
+    };
+    std::string title, xLabel, unit; // the unit is that of y
+    std::vector<Line> lines;
+    bool isOfTiming = false; // depends on the clock and the machine
+};
+
 // One experiment of a paper, run again.
 struct Reproduction
 {
@@ -88,6 +101,7 @@ struct Reproduction
     std::vector<ReproducedNumber> numbers;
     std::vector<ReproducedNumber> timingNumbers; // those that depend on the clock and the machine
     std::vector<ReproducedTable> tables;
+    std::vector<ReproducedChart> charts;
     std::vector<ReproducedClaim> claims;
     std::vector<PictureRow> figures; // of rows with pictures
     std::vector<PlateRow> plates;

@@ -258,7 +258,8 @@ TEST(ReproduceMultipleDepth, Table1ComesOutOfAPicture)
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const std::string text = readWhole(folder.path() / "out.json");
     EXPECT_EQ(schemaError(text), "");
-    const Json numbers = Json::parse(text).at("reproduction").at("numbers");
+    const Json reproduction = Json::parse(text).at("reproduction"), numbers = reproduction.at("numbers");
+    EXPECT_EQ(reproduction.at("charts").at(0).at("lines").size(), 4u) << "Figure 3";
     ASSERT_EQ(numbers.size(), 40u);
     for (const Json& number : numbers) {
         EXPECT_LE(number.at("ours"), number.at("papers")) << number.at("key");

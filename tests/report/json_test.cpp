@@ -155,7 +155,7 @@ TEST(ResultsJson, FlipsAreToldOfPathsOnlyWithTheirShares)
     EXPECT_EQ(told["pairs"].size() + 1, told["frames"].get<std::size_t>());
 }
 
-TEST(ResultsJson, AnExperimentsNumbersOfTheClockStandInItsTiming)
+TEST(ResultsJson, WhatOfAnExperimentDependsOnTheClockStandsInItsTiming)
 {
     const Json json = Json::parse(toJson(sampleReproduction({}, 32))).at("reproduction");
     ASSERT_EQ(json.at("numbers").size(), 2u);
@@ -163,6 +163,10 @@ TEST(ResultsJson, AnExperimentsNumbersOfTheClockStandInItsTiming)
     EXPECT_TRUE(json.at("numbers")[1].at("papers").is_null());
     ASSERT_EQ(json.at("timing").at("numbers").size(), 1u);
     EXPECT_EQ(json.at("timing").at("numbers")[0].at("ours"), 290);
+    ASSERT_EQ(json.at("charts").size(), 1u);
+    EXPECT_EQ(json.at("charts")[0].at("lines")[0].at("points"), Json::parse("[[1, 2], [4, 8]]"));
+    ASSERT_EQ(json.at("timing").at("charts").size(), 1u);
+    EXPECT_EQ(json.at("timing").at("charts")[0].at("title"), "Frames");
 }
 
 // A row's first cell is what the others are more than; nothing is more than none.

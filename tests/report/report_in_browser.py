@@ -191,6 +191,9 @@ def experiment_shows(page):
     if tables:
         check(re.search(r"2.000 \(1.600\)\s\+150\.0.% \(\+150\.0.%\)\s\u221225\.0.%$", tables[0]),
               f"percent more than the first, the paper's beside ours: {tables[0]}")
+    drawn = page.run("return document.querySelectorAll('#reproduced-charts polyline').length")
+    check(drawn == page.run("return [...run.reproduction.charts, ...run.reproduction.timing.charts]"
+                            ".reduce((n, chart) => n + chart.lines.length, 0)"), f"each line of the charts is drawn: {drawn}")
     for kind, count in (("figures", "2 * run.reproduction.figures.reduce((n, f) => n + f.techniques.length, 0)"),
                         ("plates", "run.reproduction.plates.reduce((n, row) => n + row.plates.length, 0)")):
         page.wait_for(f"the {kind} are drawn", PIXELS + "const all = [...document.querySelectorAll('"

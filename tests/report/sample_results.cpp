@@ -252,6 +252,8 @@ Reproduction sampleReproduction(const fs::path& folder, int size)
                    {{"Focused", "focused"}, {"Normal", "uniform"}, {"Light space", "lispsm"}},
                    {{"using all data", {{2000, 1600}, {5000, 4000}, {1500, std::nullopt}}},
                     {"worst 10 % by Normal", {{0, std::nullopt}, {7000, std::nullopt}, {4000, std::nullopt}}}}}};
+    out.charts = {{"Corners", "discs", "a shadow", {{"ours", {{1, 2}, {4, 8}}}, {"theirs", {{1, 3}}}}, false},
+                  {"Frames", "discs", "a second", {{"ours", {{1, 290}, {4, 70}}}}, true}};
     for (const char* view : {"front", "low camera"})
         out.figures.push_back({std::string("from the ") + view,
                                "bunnies",

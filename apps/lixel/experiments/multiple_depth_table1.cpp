@@ -30,6 +30,18 @@ constexpr int kPaper[5][kMostDepths] = {{2, 3, 4, 5, 6, 7, 8, 9},
 
 using Shades = std::array<std::array<std::set<long>, kMostDepths>, kTaps.size()>; // [k][n - 1]
 
+// Figure 3: the paper's four lines, over the samples of the kernel.
+ReproducedChart figure3(const Shades& shades)
+{
+    ReproducedChart chart{"Figure 3: different values of visibility", "samples of the kernel", "seen", {}};
+    for (int n = 1; n <= 4; ++n) {
+        ReproducedChart::Line& line = chart.lines.emplace_back(fmt::format("n = {}", n));
+        for (std::size_t k = 0; k < kTaps.size(); ++k)
+            line.points.emplace_back(kTaps[k], double(shades[k][std::size_t(n - 1)].size()));
+    }
+    return chart;
+}
+
 } // namespace
 
 Reproduction reproduceMultipleDepthTable1(const ExperimentOptions& options)
@@ -66,6 +78,7 @@ Reproduction reproduceMultipleDepthTable1(const ExperimentOptions& options)
             out.numbers.push_back({fmt::format("PCF({},{})", kTaps[k], n + 1), "different shades seen",
                                    double(shades[k][n].size()), double(kPaper[k][n]),
                                    "Table 1, the most there can be"});
+    out.charts = {figure3(shades)};
     return out;
 }
 

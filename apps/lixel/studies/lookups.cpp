@@ -2,12 +2,9 @@
 #include "lixel/report/lookups.h"
 
 #include "comparison.h"
-#include "exit_code.h"
+#include "finish_study.h"
 #include "lixel/judge/best_front.h"
 #include "lixel/plan/lookup/lookup.h"
-#include "lixel/report/html.h"
-#include "lixel/report/write_file.h"
-#include "output.h"
 #include "run_results.h"
 #include "shade_quality.h"
 #include "studies/lookup_times.h"
@@ -238,17 +235,7 @@ int studyLookups(const StudyOptions& options)
     for (std::size_t i = 0; i < study.lookups.size(); ++i) study.lookups[i].times = times.of(i);
     study.fronts = frontsAgainst(kBytes, study.lookups);
     if (options.timingFrames > 0) study.frontsOfTimes = frontsAgainst(kTime, study.lookups);
-
-    const std::string json = toJson(study);
-    if (!options.json.empty()) writeOrPrint(options.json, json);
-    std::FILE* const told = options.json == "-" ? stderr : stdout;
-    print(study, told);
-    if (options.output.empty()) return kDone;
-    const std::filesystem::path folder = options.output;
-    writeFileAtomically(folder / "results.json", json);
-    writeReport(folder, study);
-    fmt::print(told, "report: {}\n", (folder / "report.html").string());
-    return kDone;
+    return finishStudyOfRows(study, options, print);
 }
 
 } // namespace lixel::app

@@ -2,10 +2,7 @@
 #include "lixel/report/plane_budget.h"
 
 #include "comparison.h"
-#include "exit_code.h"
-#include "lixel/report/html.h"
-#include "lixel/report/write_file.h"
-#include "output.h"
+#include "finish_study.h"
 #include "run_results.h"
 #include "study.h"
 
@@ -161,17 +158,7 @@ int studyPlaneBudget(const StudyOptions& options)
     }
     finishResults(study.run, options.commandLine, total.seconds(), executors.front()->host());
     makeCurves(sizes.sides, study);
-
-    const std::string json = toJson(study);
-    if (!options.json.empty()) writeOrPrint(options.json, json);
-    std::FILE* const told = options.json == "-" ? stderr : stdout;
-    print(study, told);
-    if (options.output.empty()) return kDone;
-    const std::filesystem::path folder = options.output;
-    writeFileAtomically(folder / "results.json", json);
-    writeReport(folder, study);
-    fmt::print(told, "report: {}\n", (folder / "report.html").string());
-    return kDone;
+    return finishStudyOfRows(study, options, print);
 }
 
 } // namespace lixel::app

@@ -11,17 +11,18 @@ function showReproduction() {
   byId("parameters").replaceChildren(...Object.entries(experiment.parameters).flatMap(([name, value]) =>
     [element("dt", {}, name), element("dd", {}, value)]));
   const numbers = [...experiment.numbers, ...experiment.timing.numbers];
-  byId("numbers-table").replaceChildren(sortableTable("Numbers of the experiment", [
+  byId("numbers-table").replaceChildren(element("h3", {}, "Numbers"), sortableTable("Numbers of the experiment", [
     column("Number", "key"), column("Ours", "ours", numberText),
     ...(numbers.some(number => number.papers !== null) ? [column("Paper", "papers", numberText)] : []),
     column("Unit", "unit"), {...column("In the paper", "source"), className: "message"},
   ], numbers, true));
   const claims = [...experiment.claims, ...experiment.timing.claims];
-  byId("claims-table").replaceChildren(...claims.length ? [sortableTable("What the paper says", [
+  byId("claims-table").replaceChildren(...claims.length ? [element("h3", {}, "What the paper says"), sortableTable("What the paper says", [
     {...column("The paper", "sentence"), className: "message"}, column("Where", "source"),
     {...column("Measured", "measured"), className: "message"}, column("Holds", "holds", holds => holds ? "yes" : "no"),
   ], claims, true)] : []);
   byId("reproduced-tables").replaceChildren(...experiment.tables.flatMap(makeTable));
+  byId("reproduced-charts").replaceChildren(...[...experiment.charts, ...experiment.timing.charts].map(makeCurves));
   byId("figures").replaceChildren(...experiment.figures.map(makeFigure), ...experiment.plates.map(makePlates));
 }
 
@@ -44,6 +45,14 @@ function makeTable({title, unit, source, columns, rows}) {
     element("p", {class: "note"}, `${unit}; then percent more than ${columns[0].title}; in parentheses the paper's, ${source}.`),
     sortableTable(title, [column("Summed over", "title"), ...methods], rows),
   ];
+}
+
+function makeCurves({title, x_label, unit, lines}) {
+  const made = logPlot(`${title}, ${unit}`, lines.map(({label, points}, index) => ({label, ...lineLook(index),
+    points: points.map(([x, y]) => ({x, y, title: `${label}, ${numberText(x)} ${x_label}: ${numberText(y)} ${unit}`}))})),
+    {xLabel: x_label, xTicks: ticksAt(lines.flatMap(line => line.points.map(([x]) => x)))});
+  made.append(element("div", {class: "legend"}, ...lines.map(({label}, index) => lineKey(label, lineLook(index)))));
+  return made;
 }
 
 function makeFigure(figure) {
