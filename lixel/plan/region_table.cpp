@@ -19,6 +19,13 @@ void addPlane(const Plane& plane, const PlannedRegion& region, shared::ShadowReg
     row.planeDepth = {float(c.w), float(perX * c.x), float(perY * c.y), float(c.z)};
 }
 
+// ShadowRegion::projection z (lookup/even_depth.h). Depths are 0 at the far side, so at infinity they are below.
+constexpr double kMostBend = 1 - 0x1p-20;
+float bendOf(double depthAtInfinity)
+{
+    return depthAtInfinity < 0 ? float(std::min(1 / (1 - depthAtInfinity), kMostBend)) : 0;
+}
+
 // Depth N (F / r - 1) / (F - N), reversed: NF / (F - N) over the distance, which row z has, less N / (F - N). Places on the paraboloid
 // take the place of NDC.
 void putOnParaboloid(const Paraboloid& p, const LixelRectangle& r, Mat4d& clip, shared::ShadowRegion& row)
@@ -27,7 +34,17 @@ void putOnParaboloid(const Paraboloid& p, const LixelRectangle& r, Mat4d& clip, 
     const double perX = 0.5 * r.width() / p.halfSize.x, perY = 0.5 * r.height() / p.halfSize.y;
     row.lixelFromNdc = {float(perX), float(perY), float(0.5 * (r.x0 + r.x1) - perX * p.centre.x),
                         float(0.5 * (r.y0 + r.y1) - perY * p.centre.y)};
-    row.projection = {shared::LX_PROJECTION_PARABOLOID, float(p.near / (p.far - p.near)), 0, 0};
+    row.projection = {shared::LX_PROJECTION_PARABOLOID, float(p.near / (p.far - p.near)),
+                      bendOf(-p.near / (p.far - p.near)), 0};
+}
+
+// By what depth comes to at infinity along the ray through the map's centre; nothing where rays are parallel.
+std::optional<double> depthAtInfinity(const Mat4d& clip)
+{
+    // Infinite is what has no w: of clip places (0, 0, D, 1) the one for which row 3 of the inverse is 0.
+    const auto localFromClip = inverse(clip);
+    if (!localFromClip || localFromClip->row(3).z == 0) return std::nullopt;
+    return -localFromClip->row(3).w / localFromClip->row(3).z;
 }
 
 } // namespace
@@ -40,6 +57,7 @@ shared::ShadowRegion tableRow(const PlannedRegion& region)
     row.lixelFromNdc = {0.5f * float(r.width()), 0.5f * float(r.height()), float(r.x0) + 0.5f * float(r.width()),
                         float(r.y0) + 0.5f * float(r.height())};
     if (region.paraboloid) putOnParaboloid(*region.paraboloid, r, clip, row);
+    else if (const auto depth = depthAtInfinity(clip)) row.projection.z = bendOf(*depth);
     Mat4d low;
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) low.m[i][j] = clip.m[i][j] - double(float(clip.m[i][j]));

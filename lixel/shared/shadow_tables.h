@@ -40,7 +40,8 @@ struct ShadowRegion
     // with the w of lightClipFromLocal.
     vec4 plane;
     vec4 planeDepth;
-    vec4 projection; // x: one of the two; y: of a paraboloid, what is taken off depths; zw: 0
+    vec4
+        projection; // x: one of the two; y: of a paraboloid, what is taken off depths; z: bend of depths (lookup/even_depth.h); w: 0
     ShadowWarp warp; // after that; lixelFromNdc counts unwarped lixels. Every paraboloid has one, if only the identity
 };
 

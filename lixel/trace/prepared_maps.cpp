@@ -51,12 +51,13 @@ PreparedMaps prepareMaps(const FramePlan& plan, const TracedAtlas& atlas)
     const BaseMaps maps{atlas};
     for (std::size_t i = 0; i < plan.regionTable.size(); ++i) {
         const shared::vec4 r = plan.regionTable[i].rectangle;
+        const float bend = plan.regionTable[i].projection.z;
         const LixelRectangle rectangle{int(r.x), int(r.y), int(r.z), int(r.w), int(plan.regionTable[i].place.x)};
         const int layer = rectangle.layer;
         const auto at = std::size_t(layer);
         if (lookup.preparedWords > 0)
             forEachLixel(rectangle, [&](int x, int y) {
-                out.words[at](x, y) = shared::lxPackedDepths(lookup.how, r, x, y, layer, maps);
+                out.words[at](x, y) = shared::lxPackedDepths(lookup.how, r, bend, x, y, layer, maps);
             });
         if (lookup.hasGradients)
             forEachLixel(rectangle, [&](int x, int y) {
@@ -64,7 +65,7 @@ PreparedMaps prepareMaps(const FramePlan& plan, const TracedAtlas& atlas)
             });
         if (lookup.momentChannels == 0) continue;
         forEachLixel(rectangle, [&](int x, int y) {
-            across[at](x, y) = shared::lxMomentsAcross(lookup.how, r, x, y, layer, maps);
+            across[at](x, y) = shared::lxMomentsAcross(lookup.how, r, bend, x, y, layer, maps);
         });
         forEachLixel(rectangle, [&](int x, int y) {
             out.moments[at](x, y) = shared::lxMomentsAlong(lookup.how, r, x, y, layer, HalfBlurred{across[at]});

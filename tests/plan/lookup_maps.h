@@ -16,12 +16,13 @@ struct FunctionMap
 {
     shared::LxLookup how;
     shared::vec4 rectangle;
+    float bend;
     const Depth& depth;
     static constexpr shared::LxNoKnots knots{};
 
     shared::LxWords words(int x, int y, int layer) const
     {
-        return shared::lxPackedDepths(how, rectangle, x, y, layer, *this);
+        return shared::lxPackedDepths(how, rectangle, bend, x, y, layer, *this);
     }
     shared::uint gradient(int x, int y, int layer) const
     {
@@ -34,7 +35,7 @@ struct FunctionMap
             const FunctionMap& map;
             shared::vec4 moments(int i, int j, int l) const
             {
-                return shared::lxMomentsAcross(map.how, map.rectangle, i, j, l, map);
+                return shared::lxMomentsAcross(map.how, map.rectangle, map.bend, i, j, l, map);
             }
         };
         return shared::lxMomentsAlong(how, rectangle, x, y, layer, Across{*this});
@@ -57,7 +58,8 @@ template <typename Depth>
 float litBy(const shared::LxLookup& how, const shared::ShadowRegion& region, const shared::LxReceiver& receiver,
             const Depth& depth, shared::uint seed = 0)
 {
-    return shared::lxVisibility(how, region, receiver, seed, FunctionMap<Depth>{how, region.rectangle, depth});
+    return shared::lxVisibility(how, region, receiver, seed,
+                                FunctionMap<Depth>{how, region.rectangle, region.projection.z, depth});
 }
 
 // What `side` by `side` taps of one depth say.

@@ -71,6 +71,23 @@ TEST(Moments, AreExactForTwoDepths)
     });
 }
 
+// Depths of bodies between the light and a floor, where a spot with a far side 100 times its near one has them.
+TEST(Moments, UnderALampWhatIsMidwayShadowsTheFloor)
+{
+    shared::ShadowRegion region = plainRegion();
+    region.projection.z = 1 - 1 / 100.0f;
+    const auto depthAt = [](float distance) { return (100 / distance - 1) / 99; }; // 1 at a distance of 1, 0 at 100
+    for (const char* store : kStores) {
+        const float caster = depthAt(45), floor = depthAt(90);
+        const auto map = [&](int x, int, int) { return x < 16 ? caster : floor; };
+        const auto litAt = [&](float x) {
+            return litBy(howOf(store), region, shared::lxReceive(region, {x, 0, floor}, {0, 0, 1}), map);
+        };
+        EXPECT_LT(litAt(-0.5f), 0.05f) << store;
+        EXPECT_GT(litAt(0.5f), 0.95f) << store;
+    }
+}
+
 TEST(Moments, APlaneAloneIsLit)
 {
     forEachCase(kCases, [](Rng& rng) {
@@ -79,12 +96,15 @@ TEST(Moments, APlaneAloneIsLit)
         const double slope = rng.logUniform(1e-4, 0.02), angle = rng.uniform(0, 6.28);
         const double gx = slope * std::cos(angle), gy = slope * std::sin(angle);
         const double middle = rng.uniform(0.2, 0.8);
+        shared::ShadowRegion region = plainRegion();
+        region.projection.z = rng.chance(0.5) ? 0.0f : float(1 - rng.logUniform(1e-3, 1));
         const auto plane = [&](int x, int y, int) { return float(middle + gx * (x + 0.5 - 16) + gy * (y + 0.5 - 16)); };
         const double x = rng.uniform(-0.4, 0.4), y = rng.uniform(-0.4, 0.4); // of NDC: 8 lixels a unit
         const Vec3d n = normalized(Vec3d{-8 * gx, -8 * gy, 1});
-        const auto r = shared::lxReceive(plainRegion(), {float(x), float(y), float(middle + 8 * gx * x + 8 * gy * y)},
+        const auto r = shared::lxReceive(region, {float(x), float(y), float(middle + 8 * gx * x + 8 * gy * y)},
                                          {float(n.x), float(n.y), float(n.z)});
-        EXPECT_GT(litBy(how, plainRegion(), r, plane), 0.98f) << "store " << how.store << " slope " << slope;
+        EXPECT_GT(litBy(how, region, r, plane), 0.98f)
+            << "bend " << region.projection.z << " store " << how.store << " slope " << slope;
     });
 }
 

@@ -31,6 +31,7 @@ layout(binding = kImagePrepared) writeonly uniform image2DArray moments;
 void main()
 {
     vec4 rectangle = regions[region].rectangle;
+    float bend = regions[region].projection.z;
     int layer = int(regions[region].place.x);
     int x = int(rectangle.x) + int(gl_GlobalInvocationID.x);
     int y = int(rectangle.y) + int(gl_GlobalInvocationID.y);
@@ -38,13 +39,13 @@ void main()
     LxLookup how = LOOKUP;
     ivec3 lixel = ivec3(x, y, layer);
 #if defined(WORDS)
-    LxWords prepared = lxPackedDepths(how, rectangle, x, y, layer);
+    LxWords prepared = lxPackedDepths(how, rectangle, bend, x, y, layer);
     imageStore(words, lixel, prepared.words);
     if (how.depths > 6) imageStore(moreWords, lixel, uvec4(prepared.more));
 #elif defined(GRADIENTS)
     imageStore(gradients, lixel, uvec4(lxPackedGradient(lxGradient(rectangle, x, y, layer))));
 #elif defined(ACROSS)
-    imageStore(moments, lixel, lxMomentsAcross(how, rectangle, x, y, layer));
+    imageStore(moments, lixel, lxMomentsAcross(how, rectangle, bend, x, y, layer));
 #else
     imageStore(moments, lixel, lxMomentsAlong(how, rectangle, x, y, layer));
 #endif

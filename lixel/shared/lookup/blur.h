@@ -7,12 +7,12 @@
 
 LX_SHARED_BEGIN
 
-LX_MAP_FN vec4 lxMomentsAcross(LxLookup how, vec4 rectangle, int x, int y, int layer LX_MAP)
+LX_MAP_FN vec4 lxMomentsAcross(LxLookup how, vec4 rectangle, float bend, int x, int y, int layer LX_MAP)
 {
     vec4 sum = vec4(0.0f, 0.0f, 0.0f, 0.0f);
     for (int i = -(how.blur / 2); i <= how.blur / 2; ++i) {
         int at = max(min(x + i, int(rectangle.z) - 1), int(rectangle.x));
-        sum = sum + lxMomentsOf(how, LX_STORED_DEPTH(at, y, layer));
+        sum = sum + lxMomentsOf(how, lxEvenDepth(bend, LX_STORED_DEPTH(at, y, layer)));
     }
     return (1.0f / float(how.blur)) * sum;
 }

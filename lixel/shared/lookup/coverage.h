@@ -36,13 +36,13 @@ LX_MAP_FN bool lxShadows(LxLookup how, ShadowRegion region, LxReceiver r, vec2 c
 LX_MAP_FN float lxCoverageOfDepths(LxLookup how, ShadowRegion region, LxReceiver r, vec2 corner LX_MAP)
 {
     LxWords lixel = LX_STORED_WORDS(int(corner.x), int(corner.y), int(region.place.x));
-    LxStored own = lxStoredAt(how, lixel, 0, 0u);
+    LxStored own = lxStoredAt(how, region.projection.z, lixel, 0, 0u);
     bool isOwn = lxShadows(how, region, r, corner, own.depth LX_PASS_MAP);
     float shadowing = isOwn ? 1.0f : 0.0f;
     bool isOrdered = how.store != LX_STORE_DEPTHS8;
     uint left = lxPlacesOf(how, lixel);
     for (int i = 1; i < how.depths; ++i) {
-        LxStored other = lxStoredAt(how, lixel, i, left);
+        LxStored other = lxStoredAt(how, region.projection.z, lixel, i, left);
         left &= left - 1u;
         bool isSameAsOwn = isOrdered && (other.place == kLxOwnPlace || (other.depth >= own.depth) == isOwn);
         bool isShadowing = isOwn;

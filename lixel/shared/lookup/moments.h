@@ -7,10 +7,10 @@
 //   msm     z to z^4, the least that four moments allow (Hamburger's problem)
 //                                                C. Peters, R. Klein. Moment Shadow Mapping. I3D 2015, section 4.
 //
-// z is 1 - depth: 0 at the near side, 1 at the far and where nothing is. Depths are the map's own: under a light at a point they are not
-// linear in distance, which bounds of this kind do not ask for.
+// z is 1 less the even depth (even_depth.h): 0 at the near side, 1 at the far and where nothing is, linear in distance.
 #ifndef LIXEL_SHARED_LOOKUP_MOMENTS_H
 #define LIXEL_SHARED_LOOKUP_MOMENTS_H
+#include "lixel/shared/lookup/even_depth.h"
 #include "lixel/shared/lookup/maps.h"
 
 LX_SHARED_BEGIN
@@ -25,10 +25,10 @@ const float LX_LEAST_EVSM_VARIANCE = 1.0e-6f;
 const float LX_MOMENT_BIAS = 1.0e-5f;
 const float LX_MOMENT_NEARER = 2.0e-3f;
 
-// Of one depth of the map.
-LX_FN vec4 lxMomentsOf(LxLookup how, float stored)
+// Of one even depth.
+LX_FN vec4 lxMomentsOf(LxLookup how, float even)
 {
-    float z = 1.0f - stored;
+    float z = 1.0f - even;
     if (how.store == LX_STORE_VSM) return vec4(z, z * z, 0.0f, 0.0f);
     if (how.store == LX_STORE_MSM) {
         float s = 2.0f * z - 1.0f;
@@ -83,10 +83,10 @@ LX_FN float lxLitByFourMoments(vec4 moments, float z)
     return clamp(1.0f - before, 0.0f, 1.0f);
 }
 
-// What mean moments say of a receiver at `depth`.
-LX_FN float lxLitByMoments(LxLookup how, vec4 moments, float depth)
+// What mean moments say of a receiver at an even depth.
+LX_FN float lxLitByMoments(LxLookup how, vec4 moments, float even)
 {
-    float z = 1.0f - depth;
+    float z = 1.0f - even;
     if (how.store == LX_STORE_VSM) return lxChebyshev(moments.x, moments.y, LX_LEAST_VARIANCE, z);
     if (how.store == LX_STORE_MSM) return lxLitByFourMoments(moments, 2.0f * z - 1.0f - LX_MOMENT_NEARER);
     return lxLitByEvsm(moments, how.store == LX_STORE_EVSM4, z);

@@ -134,14 +134,14 @@ LX_FN LxWords lxPacked32(LxLookup how, LxNeighbours n)
     return lixel;
 }
 
-LX_FN LxWords lxPacked16(LxLookup how, LxNeighbours n)
+LX_FN LxWords lxPacked16(LxLookup how, float bend, LxNeighbours n)
 {
     LxWords lixel;
     uint places = lxSortedPlaces(n, how.depths);
     uint left = places;
-    lixel.words = uvec4(lxFixedDepth(n.depth[kLxOwnPlace], 65535.0f), 0u, 0u, 0u);
+    lixel.words = uvec4(lxFixedDepth(bend, n.depth[kLxOwnPlace], 65535.0f), 0u, 0u, 0u);
     for (int i = 1; i < how.depths && left != 0u; ++i) {
-        uint depth = lxFixedDepth(n.depth[findLSB(left)], 65535.0f);
+        uint depth = lxFixedDepth(bend, n.depth[findLSB(left)], 65535.0f);
         left &= left - 1u;
         lixel.words[i / 2] |= i % 2 == 0 ? depth : depth << 16u;
     }
@@ -151,7 +151,7 @@ LX_FN LxWords lxPacked16(LxLookup how, LxNeighbours n)
 }
 
 // Of Brabec and Seidel: at the border of the rectangle the last lixels again.
-LX_MAP_FN LxWords lxPacked8(vec4 rectangle, int x, int y, int layer LX_MAP)
+LX_MAP_FN LxWords lxPacked8(vec4 rectangle, float bend, int x, int y, int layer LX_MAP)
 {
     LxWords lixel;
     lixel.words = uvec4(0u, 0u, 0u, 0u);
@@ -159,18 +159,18 @@ LX_MAP_FN LxWords lxPacked8(vec4 rectangle, int x, int y, int layer LX_MAP)
     for (int i = 0; i < 4; ++i) {
         int tapX = min(x + i % 2, int(rectangle.z) - 1);
         int tapY = min(y + i / 2, int(rectangle.w) - 1);
-        lixel.words.x |= lxFixedDepth(LX_STORED_DEPTH(tapX, tapY, layer), 255.0f) << uint(8 * i);
+        lixel.words.x |= lxFixedDepth(bend, LX_STORED_DEPTH(tapX, tapY, layer), 255.0f) << uint(8 * i);
     }
     return lixel;
 }
 
-// What lixel (x, y) of a region with this rectangle holds, from the map.
-LX_MAP_FN LxWords lxPackedDepths(LxLookup how, vec4 rectangle, int x, int y, int layer LX_MAP)
+// What lixel (x, y) of a region with this rectangle and bend of depths holds, from the map.
+LX_MAP_FN LxWords lxPackedDepths(LxLookup how, vec4 rectangle, float bend, int x, int y, int layer LX_MAP)
 {
-    if (how.store == LX_STORE_DEPTHS8) return lxPacked8(rectangle, x, y, layer LX_PASS_MAP);
+    if (how.store == LX_STORE_DEPTHS8) return lxPacked8(rectangle, bend, x, y, layer LX_PASS_MAP);
     if (how.selection != LX_SELECT_SORTED) return lxPackedExtremes(how, rectangle, x, y, layer LX_PASS_MAP);
     LxNeighbours n = lxNeighbours(how, rectangle, x, y, layer LX_PASS_MAP);
-    if (how.store == LX_STORE_DEPTHS16) return lxPacked16(how, n);
+    if (how.store == LX_STORE_DEPTHS16) return lxPacked16(how, bend, n);
     return lxPacked32(how, n);
 }
 

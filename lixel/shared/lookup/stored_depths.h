@@ -10,13 +10,15 @@
 //   32 bits   a word a depth, the place in its last 5 bits: a depth is so moved away from the light by less than 2^-18 of
 //             itself. The lixel's own depth comes first and is kept whole.
 //   16 bits   two a word, the lixel's own first, then the others by their places, which are the bits of the last word (the
-//             fourth; a fifth word where there are more than six depths). Rounded away from the light by at most a step of 1/65535.
+//             fourth; a fifth word where there are more than six depths). Steps of 1/65535 of even depth (even_depth.h), rounded away
+//             from the light by at most one.
 //   8 bits    four in one word (S. Brabec, H.-P. Seidel. Hardware-accelerated Rendering of Antialiased Shadows with Shadow Maps. CGI
-//             2001): the lixel's own, and those to the right, above and both. Rounded away from the light by at most 1/255.
+//             2001): the lixel's own, and those to the right, above and both. As that, of 1/255.
 //
 // Depths are reversed: 1 near, 0 far and empty. Rounding away from the light can only take a shadow away.
 #ifndef LIXEL_SHARED_STORED_DEPTHS_H
 #define LIXEL_SHARED_STORED_DEPTHS_H
+#include "lixel/shared/lookup/even_depth.h"
 #include "lixel/shared/lookup/how.h"
 
 LX_SHARED_BEGIN
@@ -32,8 +34,15 @@ struct LxWords
     uint more; // of 16 bits and more than six depths
 };
 
-// Steps of unsigned fixed-point depth, never nearer than it is; the hundredth of a step is for the rounding of the product.
-LX_FN uint lxFixedDepth(float depth, float steps) { return uint(clamp(depth * steps - 0.01f, 0.0f, steps)); }
+// Steps of unsigned fixed-point even depth, never nearer than it is; a fiftieth of a step is for what rounds on the way.
+LX_FN uint lxFixedDepth(float bend, float depth, float steps)
+{
+    return uint(clamp(lxEvenDepth(bend, depth) * steps - 0.02f, 0.0f, steps));
+}
+LX_FN float lxDepthOfFixed(float bend, uint fixedDepth, float steps)
+{
+    return lxDepthOfEven(bend, float(fixedDepth) / steps);
+}
 
 LX_FN int lxPlaceOf(int dx, int dy) { return (dy + 2) * 5 + dx + 2; }
 LX_FN vec2 lxOffsetOfPlace(int place) { return vec2(float(place % 5 - 2), float(place / 5 - 2)); }
@@ -50,16 +59,16 @@ struct LxStored
 
 // Number `i` of them; its own is number 0. Of 16 bits the others are read in turn, and `left` are the places of those that have not
 // been read: where there are none left, the rest is the own depth again.
-LX_FN LxStored lxStoredAt(LxLookup how, LxWords lixel, int i, uint left)
+LX_FN LxStored lxStoredAt(LxLookup how, float bend, LxWords lixel, int i, uint left)
 {
     LxStored stored;
     stored.place = kLxOwnPlace;
     if (how.store == LX_STORE_DEPTHS16) {
         uint pair = lixel.words[i / 2];
-        stored.depth = float((i % 2 == 0 ? pair : pair >> 16u) & 65535u) / 65535.0f;
+        stored.depth = lxDepthOfFixed(bend, (i % 2 == 0 ? pair : pair >> 16u) & 65535u, 65535.0f);
         if (i > 0 && left != 0u) stored.place = findLSB(left);
     } else if (how.store == LX_STORE_DEPTHS8) {
-        stored.depth = float((lixel.words.x >> uint(8 * i)) & 255u) / 255.0f;
+        stored.depth = lxDepthOfFixed(bend, (lixel.words.x >> uint(8 * i)) & 255u, 255.0f);
         stored.place = lxPlaceOf(i % 2, i / 2);
     } else {
         uint bits = lixel.words[i];

@@ -69,7 +69,7 @@ LX_MAP_FN float lxLitByHardware(ShadowRegion region, LxReceiver r LX_MAP)
     return LX_HARDWARE_LIT(lixel, int(region.place.x), depth);
 }
 
-// Moments between the centres of lixels are linear, as depths of a plane are. Means are then the plane's own depth; bounds that hold
+// Moments between the centres of lixels are linear, as depths of a plane are. Means are then no nearer than the plane; bounds that hold
 // below the mean too (evsm4, msm) see the whole spread of the plane's depths, and the receiver is taken before all of them.
 LX_MAP_FN float lxLitByMomentsAround(LxLookup how, ShadowRegion region, LxReceiver r LX_MAP)
 {
@@ -86,7 +86,8 @@ LX_MAP_FN float lxLitByMomentsAround(LxLookup how, ShadowRegion region, LxReceiv
     }
     float slope = r.steepness.x + r.steepness.y;
     float spread = how.store >= LX_STORE_EVSM4 ? 0.5f * float(how.blur) * slope : 0.0f;
-    return lxLitByMoments(how, moments, min(lxShadowingDepth(r, r.lixel LX_PASS_MAP_KNOTS) + spread, 1.0f));
+    float depth = clamp(lxShadowingDepth(r, r.lixel LX_PASS_MAP_KNOTS) + spread, 0.0f, 1.0f);
+    return lxLitByMoments(how, moments, lxEvenDepth(region.projection.z, depth));
 }
 #endif
 
