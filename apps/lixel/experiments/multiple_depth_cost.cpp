@@ -3,6 +3,7 @@
 #include "experiments/one_picture.h"
 #include "run_results.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -26,6 +27,7 @@ constexpr const char* kView = "overview";
 constexpr int kMap = 512;
 constexpr std::array<int, 5> kTaps{1, 4, 9, 16, 25};
 constexpr double kQ = 9, kR = 16 - 9;
+constexpr int kFrames = 15, kQuickFrames = 3;
 
 // Section 6: the resolution from which on the deferred method pays, and the factor of the number of fragments.
 constexpr double kPaperSide = 656, kPaperFactor = 1.28;
@@ -51,13 +53,22 @@ Line lineThrough(const std::array<double, kTaps.size()>& ms)
     return {(y - perTap * x) / n, perTap};
 }
 
+double farthestFrom(const Line& line, const std::array<double, kTaps.size()>& ms)
+{
+    double farthest = 0;
+    for (std::size_t i = 0; i < kTaps.size(); ++i)
+        farthest = std::max(farthest, std::abs(ms[i] - line.at - line.perTap * kTaps[i]));
+    return farthest;
+}
+
 class Cost
 {
 public:
     explicit Cost(const ExperimentOptions& options)
         : options_(options),
           executor_(makeExecutor(options.executor)),
-          sides_(options.isQuick ? std::vector<int>{128, 256} : std::vector<int>{256, 384, 512, 640, 768, 1024, 1280})
+          sides_(options.isQuick ? std::vector<int>{256, 512, 768}
+                                 : std::vector<int>{256, 384, 512, 640, 768, 1024, 1280})
     {
     }
     Reproduction run();
@@ -84,7 +95,8 @@ private:
 PassMs Cost::timeOf(const OnePicture& picture, const std::string& technique)
 {
     const FramePlan plan = picture.planOf(technique, {kMap, kMap}, *executor_);
-    const RowTiming timing = executor_->time(picture.stage, plan, picture.view, options_.isQuick ? 1 : 15);
+    const RowTiming timing =
+        executor_->time(picture.stage, plan, picture.view, options_.isQuick ? kQuickFrames : kFrames);
     PassMs out;
     for (const PassTime& pass : timing.passes) {
         if (pass.name == "prepare") out.prepare = pass.ms;
@@ -98,8 +110,8 @@ void Cost::addTerms(const OnePicture& picture)
 {
     const double samples = double(picture.samples.size());
     samplesShare_ = samples / (double(picture.view.width) * picture.view.height);
-    constexpr std::array kDepths{1, 2, 3, 4, 8};
-    for (const int n : std::span(kDepths).first(options_.isQuick ? 2 : kDepths.size())) {
+    constexpr std::array kDepths{1, 2, 4, 3, 8};
+    for (const int n : std::span(kDepths).first(options_.isQuick ? 3 : kDepths.size())) {
         std::array<double, kTaps.size()> ms{};
         double prepare = 0;
         for (std::size_t i = 0; i < kTaps.size(); ++i) {
@@ -115,7 +127,14 @@ void Cost::addTerms(const OnePicture& picture)
                 1e6 * prepare / (kQ * kMap * kMap));
         if (n == 1) one_ = {line.at / samples, line.perTap / samples};
         if (n == 2) two_ = {line.at / samples, line.perTap / samples}, prepare_ = prepare;
+        if (n == 1)
+            add("equation 1, n = 1: farthest of a time from the line", "percent of the time of 25 taps",
+                100 * farthestFrom(line, ms) / ms.back());
     }
+    const double one = one_.at + 9 * one_.perTap, two = two_.at + 9 * two_.perTap;
+    add("nine taps of two depths over nine of one", "ratio of times", two / one);
+    add("nine taps of two depths, chosen anew, over nine of one", "ratio of times, lambda 2",
+        (two + prepare_ / (samplesShare_ * 4 * kMap * kMap)) / one);
 }
 
 // Where PCF(9,2) with its preparation overtakes PCF(16,1), by the terms and by whole measurements at growing pictures.
@@ -125,7 +144,7 @@ void Cost::addBreakEven()
     add("predicted break-even, f / (h w)", "fragments a lixel; below 0: never",
         prepare_ / gain / (double(kMap) * kMap));
     std::optional<double> crossing;
-    double before = 0, beforeF = 0;
+    double before = 0, beforeF = 0, fastest = 0, slowest = 0;
     for (const int side : sides_) {
         const OnePicture picture(kScene, kView, fmt::format("{}x{}", side, side), *executor_);
         const PassMs classic = timeOf(picture, "pcf(16)"), multiple = timeOf(picture, "depths(2,max)+pcf(9)");
@@ -138,7 +157,10 @@ void Cost::addBreakEven()
         if (!crossing && more < 0 && beforeF > 0) crossing = beforeF + (f - beforeF) * before / (before - more);
         if (!crossing && more < 0 && beforeF == 0) crossing = f;
         before = more, beforeF = f;
+        fastest = fastest > 0 ? std::min(fastest, multiple.prepare) : multiple.prepare;
+        slowest = std::max(slowest, multiple.prepare);
     }
+    add("choosing depths, the slowest picture over the fastest", "ratio of times", slowest / fastest);
     if (!crossing) return;
     add("measured break-even, f / (h w)", "fragments a lixel", *crossing);
     add("measured break-even, lambda", "sides, all pixels seen", std::sqrt(*crossing));
@@ -147,8 +169,8 @@ void Cost::addBreakEven()
 // Fragments of a forward renderer without a depth test, a pixel: what f is for scenes.
 void Cost::addFragments()
 {
-    constexpr std::array kScenes{"bunnies", "table", "objects", "colonnade", "fence", "city", "lamp"};
-    for (const char* scene : std::span(kScenes).first(options_.isQuick ? 1 : kScenes.size())) {
+    constexpr std::array kScenes{"bunnies", "city", "table", "objects", "colonnade", "fence", "lamp"};
+    for (const char* scene : std::span(kScenes).first(options_.isQuick ? 2 : kScenes.size())) {
         const OnePicture picture(scene, "", "256x256", *executor_);
         const double pixels = double(picture.view.width) * picture.view.height;
         out_.numbers.push_back({fmt::format("{}, {}: fragments a pixel, forward", scene, picture.shot().name),
