@@ -79,8 +79,11 @@ void printNumbers(const Reproduction& reproduction, std::FILE* to)
 void printClaims(const std::vector<ReproducedClaim>& claims, std::FILE* to)
 {
     for (const ReproducedClaim& claim : claims)
-        fmt::print(to, "{} \"{}\" ({}): {}\n", claim.holds ? "holds:    " : "holds not:", claim.sentence, claim.source,
-                   claim.measured);
+        fmt::print(to, "{} \"{}\" ({}): {}\n",
+                   !claim.holds   ? "open:     "
+                   : *claim.holds ? "holds:    "
+                                  : "holds not:",
+                   claim.sentence, claim.source, claim.measured);
 }
 
 void expectTakes(const Experiment& experiment, const ExperimentOptions& asked)

@@ -108,6 +108,11 @@ Json toJson(const std::vector<PlateRow>& rows)
 
 } // namespace
 
+std::string_view wordsFor(std::optional<bool> holds)
+{
+    return !holds ? "not decided by this quick run" : *holds ? "yes" : "no";
+}
+
 std::string toJson(const std::vector<ReproducedClaim>& claims, bool isOfTiming)
 {
     Json all = Json::array();
@@ -116,7 +121,7 @@ std::string toJson(const std::vector<ReproducedClaim>& claims, bool isOfTiming)
             all.push_back({{"sentence", claim.sentence},
                            {"source", claim.source},
                            {"measured", claim.measured},
-                           {"holds", claim.holds}});
+                           {"holds", claim.holds ? Json(*claim.holds) : Json(nullptr)}});
     return all.dump();
 }
 

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -62,10 +63,10 @@ struct PictureRow
 // What a paper says in words, in short, and what became of it.
 struct ReproducedClaim
 {
-    std::string sentence, source; // where in the paper
-    std::string measured;         // numbers, and how the words were read
-    bool holds = false;
-    bool isOfTiming = false; // depends on the clock and the machine
+    std::string sentence, source;      // where in the paper
+    std::string measured;              // numbers, and how the words were read
+    std::optional<bool> holds = false; // no value: a quick run cannot decide it
+    bool isOfTiming = false;           // depends on the clock and the machine
 };
 
 // Pictures of something else than a view: maps, and what maps are made from.
@@ -107,6 +108,9 @@ struct Reproduction
     std::vector<PlateRow> plates;
     RunResults run; // what the numbers were made from
 };
+
+// "yes", "no", or that a quick run does not decide it.
+std::string_view wordsFor(std::optional<bool> holds);
 
 // The claims that depend on the clock, or the others, as a JSON array.
 std::string toJson(const std::vector<ReproducedClaim>& claims, bool isOfTiming);

@@ -38,12 +38,29 @@ std::string experimentRow(const Reproductions::Entry& entry)
     return fmt::format("<tr><td>{}</td>{}{}{}</tr>\n", link, cell(entry.question), cell(entry.paper), cell(outcome));
 }
 
+std::string claimRow(const std::string& experiment, const ReproducedClaim& claim)
+{
+    const char* const look = !claim.holds ? "open" : *claim.holds ? "yes" : "no";
+    return fmt::format("<tr>{}{}{}<td class=\"{}\">{}</td></tr>\n", cell(claim.sentence),
+                       cell(experiment + ", " + claim.source), cell(claim.measured), look, wordsFor(claim.holds));
+}
+
+std::string tally(const Reproductions& all)
+{
+    int yes = 0, no = 0, open = 0;
+    for (const Reproductions::Entry& entry : all.entries)
+        for (const ReproducedClaim& claim : entry.claims) ++(!claim.holds ? open : *claim.holds ? yes : no);
+    std::string text = fmt::format("{} hold, {} do not", yes, no);
+    if (open > 0) text += fmt::format(", {} are not decided by this quick run", open);
+    return text + ".";
+}
+
 constexpr const char* kHead = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>lixel: the papers' experiments</title><style>
 body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 75rem; padding: 0 1rem; color: #222; background: #fff; }
 table { border-collapse: collapse; width: 100%; margin: 0.5rem 0 2rem; }
 th, td { text-align: left; vertical-align: top; padding: 0.35rem 0.6rem; border-bottom: 1px solid #ddd; }
-code { background: #f2f2f2; padding: 0 0.25rem; } .no { color: #a00; font-weight: 600; }
+code { background: #f2f2f2; padding: 0 0.25rem; } .no { color: #a00; font-weight: 600; } .open { color: #777; }
 </style></head><body>
 )";
 
@@ -81,13 +98,11 @@ void writeReport(const std::filesystem::path& folder, const Reproductions& all)
     page += fmt::format("<h1>The papers' experiments{}</h1>\n<p><code>{}</code>, {:.0f} s, {}</p>\n",
                         all.isQuick ? ", quick" : "", escaped(all.command), all.timing.totalSeconds,
                         escaped(all.timing.host));
-    page += "<h2>What the papers say in words</h2>\n<table><tr><th>The "
+    page += fmt::format("<h2>What the papers say in words</h2>\n<p>{}</p>\n", tally(all));
+    page += "<table><tr><th>The "
             "paper</th><th>Where</th><th>Measured</th><th>Holds</th></tr>\n";
     for (const Reproductions::Entry& entry : all.entries)
-        for (const ReproducedClaim& claim : entry.claims)
-            page += fmt::format("<tr>{}{}{}<td>{}</td></tr>\n", cell(claim.sentence),
-                                cell(entry.name + ", " + claim.source), cell(claim.measured),
-                                claim.holds ? "yes" : "<span class=\"no\">no</span>");
+        for (const ReproducedClaim& claim : entry.claims) page += claimRow(entry.name, claim);
     page +=
         "</table>\n<h2>Experiments</h2>\n<table><tr><th>Name</th><th>Question</th><th>Paper</th><th>Run</th></tr>\n";
     for (const Reproductions::Entry& entry : all.entries) page += experimentRow(entry);

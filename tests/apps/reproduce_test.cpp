@@ -20,6 +20,18 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+// Every claim that an experiment settles stands in the table of all claims.
+void expectInTheTableOfClaims(const Json& claims)
+{
+    const std::string table = readWhole(fs::path(LIXEL_SOURCE_DIR) / "docs/claims.md");
+    for (const Json& claim : claims) {
+        std::string sentence = claim.at("sentence");
+        sentence.pop_back(); // the full stop
+        EXPECT_NE(table.find("| " + sentence + " | " + claim.at("source").get<std::string>() + " |"), std::string::npos)
+            << claim;
+    }
+}
+
 // Once for all tests, by the CPU executor.
 class ReproduceLixelFig7 : public ::testing::Test
 {
@@ -37,6 +49,13 @@ protected:
     static fs::path out() { return folder_->path() / "out"; }
     static std::string resultsText() { return readWhole(out() / "results.json"); }
     static Json results() { return Json::parse(resultsText()); }
+
+    static bool isApart(const Json& row)
+    {
+        const std::string technique = row.at("technique"), view = row.at("view");
+        return view.ends_with("low-wall") || technique.ends_with("allocation=exact") ||
+               technique.ends_with("(uncovered=lit)");
+    }
 
     static inline std::unique_ptr<TemporaryFolder> folder_;
     static inline CommandResult run_;
@@ -57,20 +76,24 @@ TEST_F(ReproduceLixelFig7, SettlesWhatThePaperSaysInWords)
 {
     const Json run = results();
     const Json& claims = run.at("reproduction").at("claims");
-    EXPECT_EQ(claims.size(), 6u);
+    EXPECT_EQ(claims.size(), 17u) << "those of times are for gl";
+    expectInTheTableOfClaims(claims);
     for (const Json& claim : claims) {
         EXPECT_NE(run_.out.find(claim.at("sentence").get<std::string>()), std::string::npos);
-        EXPECT_NE(claim.at("measured").get<std::string>().find("bunnies"), std::string::npos) << claim;
+        const std::string measured = claim.at("measured");
+        EXPECT_TRUE(measured.starts_with("bunnies") || measured.starts_with("objects")) << claim;
     }
 }
 
-// Six techniques in the same frames of both scenes, none of which is refused or leaves a sample unserved.
+// Six techniques in the same frames of both scenes, none of which is refused or leaves a sample unserved. Apart: what stands for planes
+// with a lixel a pixel, or without a map for the rest, and the low camera.
 TEST_F(ReproduceLixelFig7, EveryTechniqueServesEveryFrame)
 {
     const Json run = results();
     std::map<std::string, std::set<std::string>> views; // by technique
     for (const Json& row : run.at("results")) {
         ASSERT_FALSE(row.contains("refused")) << row.dump();
+        if (isApart(row)) continue;
         EXPECT_EQ(row.at("unserved"), 0);
         views[row.at("technique")].insert(row.at("scene").get<std::string>() + row.at("view").get<std::string>());
     }
@@ -83,7 +106,7 @@ TEST_F(ReproduceLixelFig7, TechniquesHaveEquallyManyLixels)
 {
     const Json run = results();
     for (const Json& row : run.at("results")) {
-        if (row.at("technique") == "exact") continue;
+        if (row.at("technique") == "exact" || isApart(row)) continue;
         EXPECT_LE(row.at("lixels_used"), 128 * 128) << row.dump();
         EXPECT_GE(row.at("lixels_used"), 0.9 * 128 * 128) << row.dump();
         if (row.at("lixels").get<std::string>().find(',') == std::string::npos || row.at("regions").size() != 3)
@@ -114,6 +137,22 @@ TEST_F(ReproduceLixelFig7, FiguresHaveTheirPicturesAndEnlargeWithinThem)
             EXPECT_LE(square.at("top").get<int>() + square.at("side").get<int>(), picture.height());
         }
     }
+}
+
+// What the paper promises: every sample of floor and wall is right, as lixels and pixels are one there.
+TEST_F(ReproduceLixelFig7, PlanesWithALixelAPixelHaveNoWrongSamples)
+{
+    const Json run = results();
+    int frames = 0;
+    for (const Json& row : run.at("results")) {
+        if (row.at("technique") != "planes(floor,wall)+plane-optimal+allocation=exact") continue;
+        ++frames;
+        for (const Json& plane : row.at("planes"))
+            if (!plane.at("plane").is_null()) {
+                EXPECT_EQ(plane.at("misclassified"), 0) << row.at("view") << plane;
+            }
+    }
+    EXPECT_EQ(frames, 8) << "of two scenes, one for each way of the light";
 }
 
 TEST_F(ReproduceLixelFig7, MeansAndWorstFramesAreThoseOfTheRows)
@@ -260,6 +299,8 @@ TEST(ReproduceMultipleDepth, Table1ComesOutOfAPicture)
     EXPECT_EQ(schemaError(text), "");
     const Json reproduction = Json::parse(text).at("reproduction"), numbers = reproduction.at("numbers");
     EXPECT_EQ(reproduction.at("charts").at(0).at("lines").size(), 4u) << "Figure 3";
+    EXPECT_EQ(reproduction.at("claims").size(), 3u);
+    expectInTheTableOfClaims(reproduction.at("claims"));
     ASSERT_EQ(numbers.size(), 40u);
     for (const Json& number : numbers) {
         EXPECT_LE(number.at("ours"), number.at("papers")) << number.at("key");
@@ -364,8 +405,14 @@ TEST(ReproduceAll, RunsEveryExperimentIntoAFolderOfItsName)
     const Json all = Json::parse(text);
     EXPECT_EQ(all.at("experiments").size(), 12u);
     EXPECT_TRUE(fs::exists(out / "report.html"));
-    for (const Json& experiment : all.at("experiments"))
-        EXPECT_TRUE(fs::exists(out / experiment.at("name").get<std::string>() / "report.html")) << experiment;
+    std::size_t claims = 0;
+    for (const Json* entries : {&all.at("experiments"), &all.at("timing").at("experiments")})
+        for (const Json& experiment : *entries) {
+            EXPECT_TRUE(fs::exists(out / experiment.at("name").get<std::string>() / "report.html")) << experiment;
+            expectInTheTableOfClaims(experiment.at("claims"));
+            claims += experiment.at("claims").size();
+        }
+    EXPECT_EQ(claims, 90u);
 }
 
 } // namespace

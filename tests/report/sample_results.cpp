@@ -240,7 +240,8 @@ Reproduction sampleReproduction(const fs::path& folder, int size)
     out.question = "Which is better?";
     out.isQuick = true;
     out.claims = {{"Discs cast <round> shadows.", "section 2", "1.5 (corners a shadow)", false, false},
-                  {"They are fast.", "section 3", "290 (frames a second)", true, true}};
+                  {"They are fast.", "section 3", "290 (frames a second)", true, true},
+                  {"All discs are round.", "section 4", "3 of 4 discs; open: too few", std::nullopt, false}};
     out.run = makeRun(folder, size);
     out.parameters = {{"size", std::to_string(size)}, {"view", "front"}};
     out.numbers = {{"uniform over focused", "ratio", 2.5, 2.25, "Table 1"},

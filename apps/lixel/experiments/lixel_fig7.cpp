@@ -7,8 +7,10 @@
 #include "lixel/scene/framing.h"
 #include "run_results.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -57,7 +59,7 @@ struct Sizes
 constexpr Sizes kPaperSizes{60, "1024x1024", "512x512", "350x350,350x350,128x128"};
 constexpr Sizes kQuickSizes{8, "256x256", "128x128", "87x87,87x87,32x32"};
 
-constexpr int kTimingFrames = 3;
+constexpr int kTimingFrames = 3, kPlanningRuns = 15;
 
 struct Moment
 {
@@ -90,6 +92,20 @@ std::vector<Moment> momentsOf(const Scenery& scenery, int frames)
 
 std::string text(Vec3d p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
 
+// Techniques that are asked together.
+struct Group
+{
+    ComparisonOptions options;
+    bool isTimed = false, isOfShownOnly = false;
+};
+
+// A lixel a pixel for floor, wall and what else they take.
+LixelSize twiceThePicture(const char* size)
+{
+    const LixelSize picture = readSize(size, "size", kMostLixelsASide);
+    return {2 * picture.width, 2 * picture.height};
+}
+
 // Techniques with as many lixels each, but maps of their own.
 class Figure7
 {
@@ -97,21 +113,35 @@ public:
     explicit Figure7(const ExperimentOptions& options)
         : options_(options),
           sizes_(options.isQuick ? kQuickSizes : kPaperSizes),
-          progress_("reproduce", int(kSceneries.size() *
-                                     (sizes_.frames * kComparedMaps.size() + (options.pictures.empty() ? 0 : kSweeps))))
+          progress_("reproduce", int(kSceneries.size() * (sizes_.frames * kComparedMaps.size() +
+                                                          kSweeps * (options.pictures.empty() ? 2 : 3) + kOfLowCamera)))
     {
         executors_.push_back(makeExecutor(options.executor));
-        single_.techniques =
-            readTechniques(fmt::format("uniform,{},{},lispsm,planes(auto)+plane-optimal", kConventional, kPerspective));
-        single_.lixels = readBudget(sizes_.lixels, "lixels", kMostLixelsASide);
-        several_.techniques = readTechniques(kPlanes);
-        several_.lixels = readBudget(sizes_.lixelsOfPlanes, "lixels", kMostLixelsASide);
+        const LixelBudget lixels = readBudget(sizes_.lixels, "lixels", kMostLixelsASide);
+        add(fmt::format("uniform,{},lispsm,planes(auto)+plane-optimal", kPerspective), lixels);
+        add(kConventional, lixels).isTimed = true;
+        add(kPlanes, readBudget(sizes_.lixelsOfPlanes, "lixels", kMostLixelsASide)).isTimed = true;
+        add(kPlanesAlone, lixels).isOfShownOnly = true;
+        LixelBudget exact;
+        exact.total = twiceThePicture(sizes_.picture);
+        add(kPlanesExactly, exact).isOfShownOnly = true;
     }
 
     void addScene(const Scenery& scenery);
     Reproduction finished();
 
 private:
+    static constexpr int kOfLowCamera = 3; // techniques
+
+    Group& add(const std::string& techniques, const LixelBudget& lixels)
+    {
+        Group& group = groups_.emplace_back();
+        group.options.techniques = readTechniques(techniques);
+        group.options.lixels = lixels;
+        return group;
+    }
+    void addLowCamera(const Scenery& scenery);
+    void timePlanning(const PlanSubject& subject, const ResultRow& row);
     std::vector<ResultRow> rowsAt(const Moment& moment, const Shooting& shooting, const Stage& stage);
     void addFigure(const Moment& moment, std::span<const ResultRow> rows, const ViewSamples& samples,
                    const Truth& truth);
@@ -119,7 +149,8 @@ private:
     const ExperimentOptions& options_;
     const Sizes& sizes_;
     std::vector<std::unique_ptr<Executor>> executors_;
-    ComparisonOptions single_, several_;
+    std::vector<Group> groups_;
+    std::map<std::string, std::vector<double>> planningPercent_; // [scene], of the frame of planes
     Progress progress_;
     Reproduction out_;
 };
@@ -148,6 +179,60 @@ void Figure7::addScene(const Scenery& scenery)
             out_.run.rows.push_back(std::move(row));
         }
     }
+    addLowCamera(scenery);
+}
+
+// The paper's own case for worse shadows, in the scene's view of it and its light.
+void Figure7::addLowCamera(const Scenery& scenery)
+{
+    PictureOptions picture;
+    picture.scene = scenery.scene;
+    picture.view = kLowCamera;
+    picture.size = sizes_.picture;
+    Shooting shooting = prepare(picture, false);
+    Shot& shot = shooting.shots.front();
+    const Stage stage = makeStage(shooting.scene, shooting.evaluateOptions, originOf(shooting, shot));
+    const View view = viewOf(shooting, shot);
+    shot.name = fmt::format("{}-{}", scenery.scene, kLowCamera);
+    ComparisonOptions options;
+    options.techniques = readTechniques(fmt::format("{},{},{}", kConventional, kFloor, kFloorAlone));
+    options.lixels = readBudget(sizes_.lixels, "lixels", kMostLixelsASide);
+    options.timingFrames = 0;
+    const ViewSamples samples = executors_.front()->viewSamples(stage, view);
+    const Truth truth = findTruth(stage, samples, shot.lights, shooting.planes);
+    for (ResultRow& row : compareTechniques({shooting, shot, stage, view, samples, truth, options}, executors_,
+                                            [&](std::string_view now) { progress_.step(now); })) {
+        row.seed = options_.seed;
+        out_.run.rows.push_back(std::move(row));
+    }
+}
+
+// What the maps of planes take to decide, as a part of the frame that they are drawn in.
+void Figure7::timePlanning(const PlanSubject& subject, const ResultRow& row)
+{
+    const Measurement* m = row.measured();
+    if (!m || !m->timing.frameMs) return;
+    const TechniqueChoice choice = readTechniques(kPlanes).front();
+    const LixelBudget lixels = readBudget(sizes_.lixelsOfPlanes, "lixels", kMostLixelsASide);
+    const SceneBuffers& buffers = subject.stage.buffers;
+    PlanInput input{subject.view,
+                    subject.lights,
+                    buffers.bounds.boxesWorld,
+                    buffers.triangles.originWorld,
+                    std::get<MapTechnique>(choice.technique),
+                    lixels.total};
+    input.planes = subject.planes;
+    input.lixelsOfRegions = lixels.ofRegions;
+    FitScratch scratch;
+    FramePlan plan;
+    std::vector<double> ms;
+    for (int i = 0; i < kPlanningRuns; ++i) {
+        const Stopwatch watch;
+        plan = planShadows(input, scratch, std::move(plan));
+        ms.push_back(1e3 * watch.seconds());
+    }
+    std::nth_element(ms.begin(), ms.begin() + kPlanningRuns / 2, ms.end());
+    planningPercent_[row.scene].push_back(100 * ms[kPlanningRuns / 2] / *m->timing.frameMs);
 }
 
 std::vector<ResultRow> Figure7::rowsAt(const Moment& moment, const Shooting& shooting, const Stage& stage)
@@ -157,14 +242,19 @@ std::vector<ResultRow> Figure7::rowsAt(const Moment& moment, const Shooting& sho
     const ViewSamples samples = executors_.front()->viewSamples(stage, view);
     const Truth truth = findTruth(stage, samples, shot.lights, shooting.planes);
     std::vector<ResultRow> rows;
-    for (ComparisonOptions options : {single_, several_}) {
-        const bool isOfPlanes = !options.lixels.ofRegions.empty();
-        options.timingFrames = moment.isShown && isOfPlanes ? kTimingFrames : 0;
-        if (moment.isShown) options.pictures = options_.pictures;
-        if (!options.pictures.empty() && !isOfPlanes) options.techniques.push_back({"exact", ExactTechnique{}});
-        std::vector<ResultRow> some = compareTechniques({shooting, shot, stage, view, samples, truth, options},
-                                                        executors_, [&](std::string_view now) { progress_.step(now); });
-        rows.insert(rows.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
+    for (const Group& group : groups_) {
+        if (group.isOfShownOnly && !moment.isShown) continue;
+        ComparisonOptions options = group.options;
+        options.timingFrames = moment.isShown && group.isTimed ? kTimingFrames : 0;
+        if (moment.isShown && !group.isOfShownOnly) options.pictures = options_.pictures;
+        if (!options.pictures.empty() && &group == &groups_.front())
+            options.techniques.push_back({"exact", ExactTechnique{}});
+        for (ResultRow& row : compareTechniques({shooting, shot, stage, view, samples, truth, options}, executors_,
+                                                [&](std::string_view now) { progress_.step(now); })) {
+            if (row.technique == kPlanes && group.isTimed)
+                timePlanning({stage, view, shot.lights, shooting.planes, samples}, row);
+            rows.push_back(std::move(row));
+        }
     }
     if (moment.isShown && !options_.pictures.empty()) addFigure(moment, rows, samples, truth);
     return rows;
@@ -192,11 +282,16 @@ Reproduction Figure7::finished()
     for (const Scenery& scenery : kSceneries) {
         std::vector<ReproducedNumber> numbers = numbersOfScene(scenery.scene, out_.run.rows);
         out_.numbers.insert(out_.numbers.end(), numbers.begin(), numbers.end());
+        const std::vector<ReproducedNumber> times = timingNumbersOf(scenery.scene, out_.run.rows);
+        out_.timingNumbers.insert(out_.timingNumbers.end(), times.begin(), times.end());
+        if (const std::vector<double>& percent = planningPercent_[scenery.scene]; !percent.empty())
+            out_.timingNumbers.push_back({fmt::format("{}: planning of planes, of their frame", scenery.scene),
+                                          "percent", *std::max_element(percent.begin(), percent.end()), std::nullopt,
+                                          "section 1: \"essentially free\""});
         for (const Sweep& sweep : scenery.sweeps)
             out_.parameters.push_back({fmt::format("{}, light {}", scenery.scene, sweep.name),
                                        fmt::format("from {} to {}", text(sweep.fromWorld), text(sweep.toWorld))});
     }
-    out_.timingNumbers = timingNumbersOf(out_.run.rows);
     out_.run.timing.host = executors_.front()->host();
     out_.parameters.insert(out_.parameters.end(),
                            {{"view", kView},

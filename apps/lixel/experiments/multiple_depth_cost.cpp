@@ -29,7 +29,7 @@ constexpr const char* kView = "overview";
 constexpr int kMap = 512;
 constexpr std::array<int, 5> kTaps{1, 4, 9, 16, 25};
 constexpr double kQ = 9, kR = 16 - 9;
-constexpr int kRounds = 9; // of all that is compared, in turns
+constexpr int kRounds = 9, kQuickRounds = 3; // of all that is compared, in turns
 
 // Section 6: the resolution from which on the deferred method pays, and the factor of the number of fragments.
 constexpr double kPaperSide = 656, kPaperFactor = 1.28;
@@ -55,13 +55,22 @@ Line lineThrough(const std::array<double, kTaps.size()>& ms)
     return {(y - perTap * x) / n, perTap};
 }
 
+double farthestFrom(const Line& line, const std::array<double, kTaps.size()>& ms)
+{
+    double farthest = 0;
+    for (std::size_t i = 0; i < kTaps.size(); ++i)
+        farthest = std::max(farthest, std::abs(ms[i] - line.at - line.perTap * kTaps[i]));
+    return farthest;
+}
+
 class Cost
 {
 public:
     explicit Cost(const ExperimentOptions& options)
         : options_(options),
           executor_(makeExecutor(options.executor)),
-          sides_(options.isQuick ? std::vector<int>{128, 256} : std::vector<int>{256, 384, 512, 640, 768, 1024, 1280})
+          sides_(options.isQuick ? std::vector<int>{256, 512, 768}
+                                 : std::vector<int>{256, 384, 512, 640, 768, 1024, 1280})
     {
     }
     Reproduction run();
@@ -92,7 +101,7 @@ std::vector<PassMs> Cost::timesOf(const OnePicture& picture, std::span<const std
     for (const std::string& technique : techniques)
         plans.push_back(picture.planOf(technique, {kMap, kMap}, *executor_));
     std::vector<PassMs> least(plans.size(), {1e30, 1e30});
-    for (int round = 0; round < (options_.isQuick ? 1 : kRounds); ++round)
+    for (int round = 0; round < (options_.isQuick ? kQuickRounds : kRounds); ++round)
         for (std::size_t i = 0; i < plans.size(); ++i) {
             PassMs now;
             for (const PassTime& pass : executor_->time(picture.stage, plans[i], picture.view, 1).passes) {
@@ -109,8 +118,8 @@ void Cost::addTerms(const OnePicture& picture)
 {
     const double samples = double(picture.samples.size());
     samplesShare_ = samples / (double(picture.view.width) * picture.view.height);
-    constexpr std::array kAllDepths{1, 2, 3, 4, 8};
-    const std::span depths = std::span(kAllDepths).first(options_.isQuick ? 2 : kAllDepths.size());
+    constexpr std::array kAllDepths{1, 2, 4, 3, 8};
+    const std::span depths = std::span(kAllDepths).first(options_.isQuick ? 3 : kAllDepths.size());
     std::vector<std::string> techniques;
     for (const int n : depths)
         for (const int k : kTaps) techniques.push_back(fmt::format("depths({})+pcf({})", n, k));
@@ -132,7 +141,14 @@ void Cost::addTerms(const OnePicture& picture)
                 1e6 * prepare / (kQ * kMap * kMap));
         if (n == 1) one_ = {line.at / samples, line.perTap / samples};
         if (n == 2) two_ = {line.at / samples, line.perTap / samples}, prepare_ = prepare;
+        if (n == 1)
+            add("equation 1, n = 1: farthest of a time from the line", "percent of the time of 25 taps",
+                100 * farthestFrom(line, ms) / ms.back());
     }
+    const double one = one_.at + 9 * one_.perTap, two = two_.at + 9 * two_.perTap;
+    add("nine taps of two depths over nine of one", "ratio of times", two / one);
+    add("nine taps of two depths, chosen anew, over nine of one", "ratio of times, lambda 2",
+        (two + prepare_ / (samplesShare_ * 4 * kMap * kMap)) / one);
 }
 
 // Where PCF(9,2) with its preparation overtakes PCF(16,1), by the terms and by whole measurements at growing pictures.
@@ -147,7 +163,7 @@ void Cost::addBreakEven()
                           {{"PCF(16,1)", {}}, {"PCF(9,2) and its depths", {}}, {"PCF(9,2) of maps that are kept", {}}},
                           true};
     std::optional<double> crossing;
-    double before = 0, beforeF = 0;
+    double before = 0, beforeF = 0, fastest = 0, slowest = 0;
     for (const int side : sides_) {
         const OnePicture picture(kScene, kView, fmt::format("{}x{}", side, side), *executor_);
         const std::array<std::string, 2> techniques{"pcf(16)", "depths(2,max)+pcf(9)"};
@@ -164,8 +180,11 @@ void Cost::addBreakEven()
         if (!crossing && more < 0 && beforeF > 0) crossing = beforeF + (f - beforeF) * before / (before - more);
         if (!crossing && more < 0 && beforeF == 0) crossing = f;
         before = more, beforeF = f;
+        fastest = fastest > 0 ? std::min(fastest, multiple.prepare) : multiple.prepare;
+        slowest = std::max(slowest, multiple.prepare);
     }
     out_.charts = {std::move(chart)};
+    add("choosing depths, the slowest picture over the fastest", "ratio of times", slowest / fastest);
     if (!crossing) return;
     add("measured break-even, f / (h w)", "fragments a lixel", *crossing);
     add("measured break-even, lambda", "sides, all pixels seen", std::sqrt(*crossing));
@@ -174,8 +193,8 @@ void Cost::addBreakEven()
 // Fragments of a forward renderer without a depth test, a pixel: what f is for scenes.
 void Cost::addFragments()
 {
-    constexpr std::array kScenes{"bunnies", "table", "objects", "colonnade", "fence", "city", "lamp"};
-    for (const char* scene : std::span(kScenes).first(options_.isQuick ? 1 : kScenes.size())) {
+    constexpr std::array kScenes{"bunnies", "city", "table", "objects", "colonnade", "fence", "lamp"};
+    for (const char* scene : std::span(kScenes).first(options_.isQuick ? 2 : kScenes.size())) {
         const OnePicture picture(scene, "", "256x256", *executor_);
         const double pixels = double(picture.view.width) * picture.view.height;
         out_.numbers.push_back({fmt::format("{}, {}: fragments a pixel, forward", scene, picture.shot().name),

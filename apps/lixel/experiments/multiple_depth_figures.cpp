@@ -9,6 +9,7 @@
 #include "run_results.h"
 #include "shade_quality.h"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -22,8 +23,8 @@ namespace {
 constexpr const char* kScene = "bunnies";
 constexpr int kRays = 8; // a side of a filter's footprint
 
-// PCF(16,1), every rule of choosing depths with the 3x3 kernel, then the paper's other pictures.
-constexpr std::array<const char*, 17> kTechniques{"pcf(16)",
+// PCF(16,1), every rule of choosing depths with the 3x3 kernel, then the paper's other pictures, and what is not filtered at all.
+constexpr std::array<const char*, 19> kTechniques{"pcf(16)",
                                                   "pcf(9)",
                                                   "depths(2,max)+pcf(9)",
                                                   "depths(2,min)+pcf(9)",
@@ -39,7 +40,10 @@ constexpr std::array<const char*, 17> kTechniques{"pcf(16)",
                                                   "depths(4,bits=16)+pcf(9)",
                                                   "depths(3)+pcf(4)",
                                                   "pcf(4)",
-                                                  "depths(4)+pcf(4)"};
+                                                  "depths(4)+pcf(4)",
+                                                  "pcf(1)",
+                                                  "depths(3)"};
+constexpr const char* kNine = "pcf(9)"; // PCF(9,1), which smaller kernels are held against
 
 struct Figure
 {
@@ -61,6 +65,7 @@ const std::array<Figure, 3> kFigures{{{"Figure 1: PCF(16,1), PCF(9,2) and PCF(9,
 struct Errors
 {
     ShadeError area, own, classic; // against the pixel, the own kernel's footprint, and that of PCF(16,1)
+    ShadeError nine;               // of kernels of 2x2 taps: against the footprint of PCF(9,1)
 
     static void add(ShadeError& to, const ShadeError& one)
     {
@@ -70,6 +75,7 @@ struct Errors
     }
 };
 enum Receivers : std::size_t { Planar, Curved };
+constexpr std::array<const char*, 2> kReceivers{"planar", "curved"};
 
 class Figures
 {
@@ -88,6 +94,8 @@ private:
     void measure(const OnePicture& picture, const PartialTruth& band);
     void addRows(OnePicture& picture, const Figure& figure);
     void addNumbers();
+    void addAgainstNine();
+    void addTransitions(const Figure& figure, std::span<const ResultRow> rows);
 
     const ExperimentOptions& options_;
     std::string size_;
@@ -110,13 +118,16 @@ void Figures::measure(const OnePicture& picture, const PartialTruth& band)
         const auto filtered = [&](double side) {
             return exactFiltered(*picture.stage.traced, plan.lights.front(), band.samples, light, side, kRays);
         };
-        const std::vector<float> own = filtered(filterSide(plan.lookup)), classic = filtered(4);
+        const double side = filterSide(plan.lookup);
+        const std::vector<float> own = filtered(side), classic = filtered(4),
+                                 nine = side == 2 ? filtered(3) : std::vector<float>{};
         for (std::size_t i = 0; i < values.size(); ++i) {
             const auto against = [&](float truth) { return shadeError({&values[i], 1}, {&truth, 1}); };
             Errors& errors = errors_[picture.truth.plane[band.band[i]] == kOnNoPlane ? Curved : Planar][t];
             Errors::add(errors.area, against(band.area[i]));
             Errors::add(errors.own, against(own[i]));
             Errors::add(errors.classic, against(classic[i]));
+            if (!nine.empty()) Errors::add(errors.nine, against(nine[i]));
         }
     }
 }
@@ -133,6 +144,7 @@ void Figures::addRows(OnePicture& picture, const Figure& figure)
     std::vector<ResultRow> rows = compareTechniques(
         {picture.shooting, picture.shot(), picture.stage, picture.view, picture.samples, picture.truth, comparison},
         executors_, [&](std::string_view now) { progress_.step(now); });
+    addTransitions(figure, rows);
     PictureRow shown{figure.title, rows.front().scene, rows.front().view, rows.front().light, figure.techniques};
     for (ResultRow& row : rows) {
         const Measurement* m = row.measured();
@@ -143,6 +155,42 @@ void Figures::addRows(OnePicture& picture, const Figure& figure)
         out_.run.rows.push_back(std::move(row));
     }
     if (!options_.pictures.empty()) out_.figures.push_back(std::move(shown));
+}
+
+// How much of the picture lies between lit and dark, of the techniques that a figure shows.
+void Figures::addTransitions(const Figure& figure, std::span<const ResultRow> rows)
+{
+    const auto widthOf = [&](std::string_view technique) {
+        for (const ResultRow& row : rows)
+            if (row.technique == technique && row.measured() && row.measured()->shades)
+                return row.measured()->shades->transitionPixels;
+        return 0.0;
+    };
+    const double classic = widthOf(kTechniques.front());
+    for (const std::string& technique : figure.techniques)
+        if (technique != kTechniques.front() && technique != "exact" && classic > 0)
+            out_.numbers.push_back(
+                {fmt::format("{}, {}: width of the transition over that of PCF(16,1)", figure.view, technique),
+                 "ratio of widths in pixels",
+                 widthOf(technique) / classic,
+                 {},
+                 ""});
+}
+
+// Figure 6 has a kernel of 2x2 taps beside PCF(9,1).
+void Figures::addAgainstNine()
+{
+    const auto nine = std::size_t(std::ranges::find(kTechniques, std::string_view(kNine)) - kTechniques.begin());
+    for (const std::size_t r : {Planar, Curved})
+        for (std::size_t t = 0; t < kTechniques.size(); ++t)
+            if (const ShadeError& error = errors_[r][t].nine; error.samples > 0)
+                out_.numbers.push_back(
+                    {fmt::format("{}, {}: RMSE over that of PCF(9,1), against the 3x3 footprint of PCF(9,1)",
+                                 kReceivers[r], kTechniques[t]),
+                     "ratio",
+                     error.rootMeanSquare() / errors_[r][nine].own.rootMeanSquare(),
+                     {},
+                     ""});
 }
 
 // PCF(16,1) comes first: the others are so much more than it.
@@ -156,7 +204,6 @@ void Figures::addNumbers()
     constexpr std::array<Against, 3> kTruths{{{"the 4x4 footprint of PCF(16,1)", &Errors::classic},
                                               {"its own footprint", &Errors::own},
                                               {"the pixel's area", &Errors::area}}};
-    constexpr std::array<const char*, 2> kReceivers{"planar", "curved"};
     ReproducedTable table{"Error over the edge band", "RMSE of visibility", "which gives none", {}, {}};
     for (const char* technique : kTechniques) table.columns.push_back({technique, technique});
     for (const std::size_t r : {Planar, Curved})
@@ -185,6 +232,7 @@ Reproduction Figures::run()
         addRows(picture, figure);
     }
     addNumbers();
+    addAgainstNine();
     out_.run.timing.host = executors_.front()->host();
     out_.parameters = {{"scene", kScene},
                        {"size", size_},

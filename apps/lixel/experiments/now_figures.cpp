@@ -63,6 +63,29 @@ std::optional<double> visibleShare(const FramePlan& uniform, const Taken& taken)
     return (greatest.x - least.x) * (greatest.y - least.y);
 }
 
+Vec2d movedByRows(const shared::ShadowWarp& row, const TextureWarp& warp, Vec2d p)
+{
+    const auto x = shared::lxAlongLine(shared::lxRowLines(row, float(p.y)), warp.columns, float(p.x), knotsOf(warp));
+    return {x.value, p.y};
+}
+
+std::vector<double> samplesOfColumns(std::span<const Vec2d> places, int columns,
+                                     const std::function<Vec2d(Vec2d)>& move)
+{
+    std::vector<double> samples(std::size_t(columns), 0.0);
+    for (const Vec2d& place : places) ++samples[std::size_t(std::clamp(int(move(place).x * columns), 0, columns - 1))];
+    return samples;
+}
+
+// Standard deviation over the mean.
+double variation(const std::vector<double>& values)
+{
+    double sum = 0, squares = 0;
+    for (const double value : values) sum += value, squares += value * value;
+    const double mean = sum / double(values.size());
+    return mean > 0 ? std::sqrt(std::max(0.0, squares / double(values.size()) - mean * mean)) / mean : 0;
+}
+
 class NowFigures
 {
 public:
@@ -132,16 +155,21 @@ void NowFigures::addPlates(const NowScene& scene, Taken& taken)
         return countedPlate(places, warp.columns, warp.rows, move);
     };
     const CountedPlate before = counted([](Vec2d p) { return p; });
-    const CountedPlate byRows = counted([&](Vec2d p) {
-        const auto x =
-            shared::lxAlongLine(shared::lxRowLines(row, float(p.y)), warp.columns, float(p.x), knotsOf(warp));
-        return Vec2d{x.value, p.y};
-    });
+    const CountedPlate byRows = counted([&](Vec2d p) { return movedByRows(row, warp, p); });
     const CountedPlate byBoth = counted([&](Vec2d p) {
         const shared::vec2 at = shared::lxWarped(row, {float(p.x), float(p.y)}, knotsOf(warp)).at;
         return Vec2d{at.x, at.y};
     });
     const std::string title = scene.title();
+    const shared::ShadowWarp rawRow = tableRow(unsmoothed);
+    const auto columnsOf = [&](const std::function<Vec2d(Vec2d)>& move) {
+        return variation(samplesOfColumns(places, warp.columns, move));
+    };
+    out_.numbers.push_back({title + ": samples of columns, variation before warping", "deviation over mean",
+                            columnsOf([](Vec2d p) { return p; }), std::nullopt, "Figure 3"});
+    out_.numbers.push_back({title + ": samples of columns, variation after the rows", "deviation over mean",
+                            columnsOf([&](Vec2d p) { return movedByRows(rawRow, unsmoothed, p); }), std::nullopt,
+                            "Figure 3"});
     for (const auto& [name, plate] : {std::pair("before warping", &before), std::pair("after the rows", &byRows),
                                       std::pair("after the columns", &byBoth)})
         out_.numbers.push_back({fmt::format("{}: cells with view samples, {}", title, name), "percent",

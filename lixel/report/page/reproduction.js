@@ -19,12 +19,14 @@ function showReproduction() {
   const claims = [...experiment.claims, ...experiment.timing.claims];
   byId("claims-table").replaceChildren(...claims.length ? [element("h3", {}, "What the paper says"), sortableTable("What the paper says", [
     {...column("The paper", "sentence"), className: "message"}, column("Where", "source"),
-    {...column("Measured", "measured"), className: "message"}, column("Holds", "holds", holds => holds ? "yes" : "no"),
+    {...column("Measured", "measured"), className: "message"}, column("Holds", "holds", holdsText),
   ], claims, true)] : []);
   byId("reproduced-tables").replaceChildren(...experiment.tables.flatMap(makeTable));
   byId("reproduced-charts").replaceChildren(...[...experiment.charts, ...experiment.timing.charts].map(makeCurves));
   byId("figures").replaceChildren(...experiment.figures.map(makeFigure), ...experiment.plates.map(makePlates));
 }
+
+const holdsText = holds => holds === null ? "not decided by this quick run" : holds ? "yes" : "no";
 
 const signedText = value => `${value < 0 ? "\u2212" : "+"}${Math.abs(value).toFixed(1)}\u00a0%`;
 
