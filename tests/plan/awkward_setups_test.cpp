@@ -81,6 +81,7 @@ TEST(AwkwardFinds, AreServed)
     for (const Find& find : {
              Find{"planes(a,b,c)+plane-optimal+else(psm)+pcf(9)", 20230028}, // rounding, cropped to what is seen
              Find{"pssm(3)+scene-optimal", 20144776},                        // a line through the light, w but rounding
+             Find{"dual-paraboloid", 20333432},                              // what is seen lies all around the lamp
          }) {
         SCOPED_TRACE(find.technique);
         Rng rng(find.seed);

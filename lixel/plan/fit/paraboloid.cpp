@@ -29,11 +29,12 @@ struct Extent
     Vec2d least, greatest;
 };
 
-// The disc of a cone of rays on the paraboloid, within that of the half sphere: a circle, as of every stereographic map.
+// The disc of a cone of rays on the paraboloid, within that of the half sphere: a circle, as of every stereographic map. A cone of a half
+// sphere and more is not convex: what lies between its points may be anywhere around the light.
 Extent aroundCone(const DirectionCone& cone, Vec3d axis)
 {
     const double below = axis.z + cone.cosHalfAngle;
-    if (!(below > 0)) return {{-1, -1}, {1, 1}};
+    if (!(below > 0) || !(cone.cosHalfAngle > 0)) return {{-1, -1}, {1, 1}};
     const double sine = std::sqrt(std::max(0.0, 1 - cone.cosHalfAngle * cone.cosHalfAngle)), radius = sine / below;
     const Vec2d centre{axis.x / below, axis.y / below};
     return {{std::max(centre.x - radius, -1.0), std::max(centre.y - radius, -1.0)},
