@@ -136,12 +136,19 @@ void HullSieve::flagOuter(std::size_t begin, std::size_t count, Flags& isOuter) 
 {
     isOuter.fill(isWorthwhile_ ? 0 : 1);
     if (!isWorthwhile_) return;
-    Flags x, y;
+    Flags x, y, least;
     for (std::size_t i = 0; i < count; ++i) x[i] = points_[begin + i].x, y[i] = points_[begin + i].y;
-    for (std::size_t k = 0; k < 8; ++k) {
-        const double nx = normal_[k].x, ny = normal_[k].y, offset = offset_[k];
-        for (std::size_t i = 0; i < count; ++i) isOuter[i] += nx * x[i] + ny * y[i] + offset > 0 ? 0.0 : 1.0;
+    least.fill(std::numeric_limits<double>::infinity());
+    for (std::size_t k = 0; k < 8; k += 4) { // four sides at once: what stays in registers is not stored for each
+        const std::array<Vec2d, 4> n{normal_[k], normal_[k + 1], normal_[k + 2], normal_[k + 3]};
+        const std::array<double, 4> d{offset_[k], offset_[k + 1], offset_[k + 2], offset_[k + 3]};
+        for (std::size_t i = 0; i < count; ++i) {
+            const double one = std::min(n[0].x * x[i] + n[0].y * y[i] + d[0], n[1].x * x[i] + n[1].y * y[i] + d[1]);
+            const double two = std::min(n[2].x * x[i] + n[2].y * y[i] + d[2], n[3].x * x[i] + n[3].y * y[i] + d[3]);
+            least[i] = std::min(std::min(one, two), least[i]);
+        }
     }
+    for (std::size_t i = 0; i < count; ++i) isOuter[i] = least[i] > 0 ? 0.0 : 1.0;
     // The octagon's own corners are corners of all, however far beyond it a point counts as inner.
     for (const std::size_t corner : extreme_)
         if (corner >= begin && corner < begin + count) isOuter[corner - begin] = 1;

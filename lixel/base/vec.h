@@ -63,6 +63,7 @@ constexpr Vec3d cross(Vec3d a, Vec3d b)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline double length(Vec3d a) { return std::sqrt(dot(a, a)); }
+inline double squaredDistance(Vec3d a, Vec3d b) { return dot(a - b, a - b); }
 
 // The unit vector along `a`; the zero vector where `a` has no direction.
 inline Vec3d normalized(Vec3d a)

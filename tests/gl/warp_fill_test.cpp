@@ -74,18 +74,30 @@ FramePlan twinOf(const WarpLayout& layout, const Warped& w, const ViewSamples& s
     return twin;
 }
 
-bool isNearBorder(double place, int cells)
+bool isNearBorder(double place, int cells, double reach)
 {
     const double scaled = place * cells;
-    return std::abs(scaled - std::round(scaled)) < 1e-4;
+    return std::abs(scaled - std::round(scaled)) < reach;
+}
+
+// How far, in cells, floats may move a place: of what is order 1 before it is made lixels, a few roundings. A small part of a
+// paraboloid has many lixels to that.
+double roundingInCells(const FramePlan& plan, std::size_t region)
+{
+    constexpr double kRounding = 16 * 0x1p-24;
+    const shared::vec4 lixelFromNdc = plan.regionTable[region].lixelFromNdc;
+    return std::max(1e-4, kRounding * double(std::max(std::abs(lixelFromNdc.x), std::abs(lixelFromNdc.y))));
 }
 
 // Samples so near the border of a cell, of the map or of what rows made of it, that floats may put them on either side; or of the
 // region.
 bool isAnyAtBorder(const FramePlan& plan, const ViewSamples& samples)
 {
-    for (const PlannedRegion& region : plan.lights[0].regions) {
+    const std::vector<PlannedRegion>& regions = plan.lights[0].regions;
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        const PlannedRegion& region = regions[r];
         if (region.warp.isIdentity()) continue;
+        const double reach = roundingInCells(plan, r);
         const LightImage image(region.projection(), region.rectangle);
         const LixelRectangle& square = region.warp.square;
         for (const Vec3f& position : samples.positionLocal) {
@@ -96,8 +108,8 @@ bool isAnyAtBorder(const FramePlan& plan, const ViewSamples& samples)
             const double x = (lixel->x - square.x0) / square.width(), y = (lixel->y - square.y0) / square.height();
             const shared::LxWarped w =
                 shared::lxWarped(tableRow(region.warp), {float(x), float(y)}, knotsOf(region.warp));
-            if (isNearBorder(x, region.warp.columns) || isNearBorder(y, region.warp.rows) ||
-                isNearBorder(double(w.at.x), region.warp.columns))
+            if (isNearBorder(x, region.warp.columns, reach) || isNearBorder(y, region.warp.rows, reach) ||
+                isNearBorder(double(w.at.x), region.warp.columns, reach))
                 return true;
         }
     }

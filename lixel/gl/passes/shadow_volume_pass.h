@@ -15,7 +15,7 @@ namespace lixel::gl {
 // Shadow volumes (Crow 1977) from silhouettes, counted behind the samples (z-fail) and closed at infinity, so that the eye may be
 // inside them (Everitt, Kilgard 2002). Every triangle is a caster with two sides; the sides between volumes cancel by
 // multiplicity (Kim et al. 2008), which serves open and non-manifold meshes: a sample's count is the number of triangles
-// between it and the light. It is kept modulo 256.
+// between it and the light. It is kept modulo 256, of which 252 to 255 are less than none.
 //   reads   VolumeCasters, PointList with an entry a pixel        writes   VisibilityList
 class ShadowVolumePass
 {

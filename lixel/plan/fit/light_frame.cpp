@@ -85,21 +85,31 @@ Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, st
     const auto along = [&](Vec2d axis) { return axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w; };
     const Vec4d u = along(rectangle.axis), v = along({-rectangle.axis.y, rectangle.axis.x});
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    double leastW = frame.isPerspective ? kInfinity : frame.leastW, leastAway = kInfinity, mostAway = 0, farthest = 0;
-    for (const Vec3d& p : points) farthest = std::max(farthest, dot(p, p));
+    double leastW = frame.isPerspective ? kInfinity : frame.leastW, farthest = 0;
     if (frame.isPerspective)
         for (const Vec3d& p : points) {
-            const Vec3d fromLight = p - frame.apexLocal;
-            const double away = dot(fromLight, fromLight);
+            farthest = std::max(farthest, dot(p, p));
             leastW = std::min(leastW, dot(w, point(p)));
+        }
+    else
+        for (const Vec3d& p : points) farthest = std::max(farthest, dot(p, p));
+    const double reach = std::sqrt(farthest);
+
+    // Most bodies keep away from the light by far: w, which is 0 there, tells so without their distances.
+    double leastAway = kInfinity, next = 0; // squares
+    if (frame.isPerspective && leastW < kNextToLight * (length(frame.apexLocal) + reach) * length(xyz(w))) {
+        double mostAway = 0;
+        for (const Vec3d& p : points) {
+            const double away = squaredDistance(p, frame.apexLocal);
             leastAway = std::min(leastAway, away);
             mostAway = std::max(mostAway, away);
         }
-    const double next = kNextToLight * kNextToLight * mostAway; // a square, as they are
-    const bool isNext = frame.isPerspective && leastAway < next;
+        next = kNextToLight * kNextToLight * mostAway;
+    }
+    const bool isNext = leastAway < next;
 
     // As if all that is worst came together; mostly that is little enough.
-    const auto size = [reach = std::sqrt(farthest)](Vec4d r) {
+    const auto size = [reach](Vec4d r) {
         return (std::abs(r.x) + std::abs(r.y) + std::abs(r.z)) * reach + std::abs(r.w);
     };
     const Vec2d bound{(size(u) + rectangle.halfSize.x * size(w)) / leastW,
@@ -109,9 +119,8 @@ Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, st
         return bound;
     Vec2d most;
     for (Vec3d p : points) {
-        const Vec3d fromLight = p - frame.apexLocal;
-        const double away = dot(fromLight, fromLight);
-        if (isNext && away < next) p = frame.apexLocal + std::sqrt(next / away) * fromLight;
+        if (const double away = squaredDistance(p, frame.apexLocal); isNext && away < next)
+            p = frame.apexLocal + std::sqrt(next / away) * (p - frame.apexLocal);
         const auto terms = [&p](Vec4d r) {
             return std::abs(r.x * p.x) + std::abs(r.y * p.y) + std::abs(r.z * p.z) + std::abs(r.w);
         };

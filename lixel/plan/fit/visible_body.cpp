@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 namespace lixel {
 namespace {
@@ -50,8 +51,6 @@ void addReached(const FitInput& input, BodyPlanes& planes)
     if (input.light.kind == LightKind::Spot) addCone(input.light, lightLocal, planes);
 }
 
-double squaredDistance(Vec3d a, Vec3d b) { return dot(a - b, a - b); }
-
 // A spot inside the scene is a corner of what it reaches. The cone of directions is spanned by the other corners.
 // A region that begins at the light may have no others.
 void dropPointsAt(Vec3d lightLocal, double sceneSize, std::vector<Vec3d>& points)
@@ -76,9 +75,10 @@ public:
     {
         if (!isSpot_) return false;
         const Vec3d to = box.centre() - lightLocal_;
-        const double along = dot(to, axis_), aside = std::sqrt(std::max(0.0, dot(to, to) - along * along));
-        const double inside = along * sine_ - aside * cosine_; // distance from the cone's side
-        return inside > 0.5 * length(box.max - box.min);
+        const double along = dot(to, axis_), asideSquared = std::max(0.0, dot(to, to) - along * along);
+        // Further than the ball's radius from the cone's side: along * sine - aside * cosine > radius.
+        const double most = along * sine_ - 0.5 * length(box.max - box.min);
+        return most > 0 && most * most > asideSquared * cosine_ * cosine_;
     }
 
 private:
@@ -119,35 +119,32 @@ bool hasTwo(std::uint64_t bits)
 
 // What a plane leaves: the corners inside, and one on each edge that it crosses. Corners that share two planes share an edge (T.
 // Motzkin et al. The Double Description Method. 1953); a corner in the plane, or nearer than `slack` to it, counts as inside, so
-// that in terms of planes no more than three ever meet, whatever rounding makes of places. Where rounding makes more corners than
-// a polytope has, the plane cuts nothing: what is held is never less than there is.
-void cut(CutCorners& corners, const Plane& plane, double slack, std::uint64_t bit)
+// that in terms of planes no more than three ever meet, whatever rounding makes of places. False where it cuts nothing: also where
+// rounding makes more corners than a polytope has, for what is held is never less than there is.
+bool cut(const CutCorners& corners, const Plane& plane, double slack, std::uint64_t bit, CutCorners& kept)
 {
-    CutCorners kept;
-    struct Outside
-    {
-        const CutCorner* corner;
-        double distance;
-    };
-    FixedVector<Outside, CutCorners::capacity()> outside;
-    for (const CutCorner& corner : corners) {
-        const double distance = plane.signedDistance(corner.p);
-        if (distance >= -slack) kept.push_back(corner);
-        else outside.push_back({&corner, distance});
+    std::array<double, CutCorners::capacity()> distance;
+    bool isCut = false;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        distance[i] = plane.signedDistance(corners[i].p);
+        isCut |= distance[i] < -slack;
     }
-    if (outside.empty()) return;
-    const std::size_t inside = kept.size();
-    for (std::size_t i = 0; i < inside; ++i) {
-        const CutCorner from = kept[i];
-        for (const auto& [to, distance] : outside) {
-            const std::uint64_t shared = from.planes & to->planes;
+    if (!isCut) return false;
+    kept.clear();
+    FixedVector<std::uint32_t, CutCorners::capacity()> inside, outside;
+    for (std::uint32_t i = 0; i < corners.size(); ++i)
+        if (distance[i] < -slack) outside.push_back(i);
+        else inside.push_back(i), kept.push_back(corners[i]);
+    for (const std::uint32_t i : inside)
+        for (const std::uint32_t o : outside) {
+            const CutCorner &from = corners[i], &to = corners[o];
+            const std::uint64_t shared = from.planes & to.planes;
             if (!hasTwo(shared)) continue;
-            if (kept.size() == CutCorners::capacity()) return;
-            const double before = std::max(plane.signedDistance(from.p), 0.0);
-            kept.push_back({from.p + before / (before - distance) * (to->p - from.p), shared | bit});
+            if (kept.size() == CutCorners::capacity()) return false;
+            const double before = std::max(distance[i], 0.0);
+            kept.push_back({from.p + before / (before - distance[o]) * (to.p - from.p), shared | bit});
         }
-    }
-    corners = kept;
+    return true;
 }
 
 } // namespace
@@ -169,15 +166,15 @@ void appendClippedBox(const Box& box, std::span<const Plane> planes, std::vector
         points.insert(points.end(), boxCorners.begin(), boxCorners.end());
         return;
     }
-    CutCorners corners;
+    CutCorners one, other, *corners = &one, *kept = &other;
     for (std::uint32_t i = 0; i < 8; ++i)
-        corners.push_back({boxCorners[i], (i & 1 ? 2u : 1u) | (i & 2 ? 8u : 4u) | (i & 4 ? 32u : 16u)});
+        corners->push_back({boxCorners[i], (i & 1 ? 2u : 1u) | (i & 2 ? 8u : 4u) | (i & 4 ? 32u : 16u)});
     const double farthest = length(centre) + length(half);
     for (std::size_t i = 0; i < cuts; ++i) {
         const double slack = kInPlane * (std::abs(cutting[i]->offset) + farthest);
-        cut(corners, *cutting[i], slack, std::uint64_t{64} << i);
+        if (cut(*corners, *cutting[i], slack, std::uint64_t{64} << i, *kept)) std::swap(corners, kept);
     }
-    for (const CutCorner& corner : corners) points.push_back(corner.p);
+    for (const CutCorner& corner : *corners) points.push_back(corner.p);
 }
 
 void findVisiblePoints(const FitInput& input, std::vector<Vec3d>& points)
