@@ -16,7 +16,7 @@ namespace lixel::app {
 // What all lights of the picture share. Outlives them, as do shooting and executor it.
 struct StudiedPicture
 {
-    StudiedPicture(const Shooting& shooting, const Shot& shot, Executor& executor);
+    StudiedPicture(const Shooting& of, const Shot& shot, Executor& by);
 
     const Shooting& shooting;
     Executor& executor;

@@ -16,7 +16,7 @@ class LightPlanner
 {
 public:
     // The light is one of the input's; scratch.need has its samples (gatherNeedSamples).
-    LightPlanner(const PlanInput& input, std::size_t light, const Box& sceneLocal, FitScratch& scratch);
+    LightPlanner(const PlanInput& input, std::size_t number, const Box& sceneLocal, FitScratch& scratch);
 
     // What was refused, if anything; then nothing of the light is served.
     std::optional<FitFailure> choose(ShadowPlan& out);

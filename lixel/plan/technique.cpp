@@ -213,6 +213,27 @@ bool isGiven(const FitChoice& fit)
 
 constexpr double kKeepsNothing = std::numeric_limits<double>::infinity();
 
+// A number by name, where it is given; false where it is none or beyond its bounds.
+bool takeWithin(Arguments& arguments, std::string_view name, double least, double most, double& into)
+{
+    const auto text = arguments.take(name);
+    if (!text) return true;
+    const auto number = readNumber(*text);
+    if (!number || !(*number >= least && *number <= most)) return false;
+    into = *number;
+    return true;
+}
+
+bool takeWithin(Arguments& arguments, std::string_view name, int least, int most, int& into)
+{
+    const auto text = arguments.take(name);
+    if (!text) return true;
+    const auto number = readInteger(*text);
+    if (!number || *number < least || *number > most) return false;
+    into = *number;
+    return true;
+}
+
 Answer takeSceneOptimal(const Word& word, Parts& parts)
 {
     if (word.name != "scene-optimal") return std::nullopt;
@@ -237,31 +258,16 @@ Answer takeSceneOptimal(const Word& word, Parts& parts)
             return "scene-optimal takes iterations = 0 to 100, with search=paper";
         fit.iterations = *iterations;
     }
-    if (const auto text = arguments.take("slack")) {
-        const auto slack = readNumber(*text);
-        if (!slack || *slack < 0 || *slack > 1) return "scene-optimal takes slack = 0 to 1";
-        fit.slack = *slack;
-    }
-    if (const auto text = arguments.take("weight")) {
-        const auto weight = readNumber(*text);
-        if (!weight || *weight < 0 || *weight > 1) return "scene-optimal takes weight = 0 to 1";
-        fit.awayFromBoundaries = *weight;
-    }
-    if (const auto text = arguments.take("samples")) {
-        const auto samples = readInteger(*text);
-        if (!samples || *samples < 8 || *samples > 2048) return "scene-optimal takes samples = 8 to 2048";
-        fit.samples = *samples;
-    }
+    if (!takeWithin(arguments, "slack", 0.0, 1.0, fit.slack)) return "scene-optimal takes slack = 0 to 1";
+    if (!takeWithin(arguments, "weight", 0.0, 1.0, fit.awayFromBoundaries))
+        return "scene-optimal takes weight = 0 to 1";
+    if (!takeWithin(arguments, "samples", 8, 2048, fit.samples)) return "scene-optimal takes samples = 8 to 2048";
     if (const auto text = arguments.take("keep")) {
         const auto keep = *text == "none" ? std::optional(kKeepsNothing) : readNumber(*text);
         if (!keep || *keep < 0) return "scene-optimal takes keep = a number from 0, or keep=none";
         fit.keep = *keep;
     }
-    if (const auto text = arguments.take("update")) {
-        const auto update = readInteger(*text);
-        if (!update || *update < 1 || *update > 1000) return "scene-optimal takes update = 1 to 1000 frames";
-        fit.update = *update;
-    }
+    if (!takeWithin(arguments, "update", 1, 1000, fit.update)) return "scene-optimal takes update = 1 to 1000 frames";
     if (const auto uncovered = arguments.take("uncovered")) {
         if (*uncovered != "lit")
             return "scene-optimal takes uncovered=lit; without it, what is not covered goes to else(...)";

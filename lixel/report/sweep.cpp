@@ -16,7 +16,7 @@ using Json = nlohmann::json; // objects are sorted by key
 std::string inOneLine(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 // `timing` comes last, wherever its name would stand in the order: what follows can then be cut off.
-std::string lineOf(Json row, const Json& timing)
+std::string lineOf(const Json& row, const Json& timing)
 {
     std::string line = inOneLine(row);
     line.pop_back();

@@ -94,6 +94,19 @@ LX_FN vec4 lxRowOf(mat4 m, int row)
     return vec4(m[0].w, m[1].w, m[2].w, m[3].w);
 }
 
+// What a receiver is wherever it stands, before its region's warp and but for the region's plane.
+LX_FN LxReceiver lxBeforeWarp(LxReceiver r, ShadowRegion region, bool isInside)
+{
+    r.unwarped = r.lixel;
+    r.at = r.lixel;
+    r.warp = region.warp;
+    r.margin = LX_HALF_LIXEL + LX_SNAP;
+    r.isOnPlane = 0.0f;
+    r.slackBeside = 0.0f;
+    r.isInside = isInside ? 1.0f : 0.0f;
+    return r;
+}
+
 #ifndef LIXEL_NO_PARABOLOID
 // The same on a paraboloid. The plane n . p = h, as the light sees it, has depth near / h (n . q) at the ray q, but for a constant.
 LX_KNOTS_FN LxReceiver lxReceiveOnParaboloid(ShadowRegion region, vec3 positionLocal, vec3 normal LX_KNOTS)
@@ -131,18 +144,39 @@ LX_KNOTS_FN LxReceiver lxReceiveOnParaboloid(ShadowRegion region, vec3 positionL
     bool inside = distance > 0.0f && r.ray.z > -0.999f && r.lixel.x >= region.serves.x &&
                   r.lixel.y >= region.serves.y && r.lixel.x < region.serves.z && r.lixel.y < region.serves.w &&
                   r.depth >= -LX_ROUNDING * errorZ;
-    r.isInside = inside ? 1.0f : 0.0f;
     r.slack = isEdgeOn ? LX_STEEPEST : LX_ROUNDING * (errorZ + errorRay);
-    r.unwarped = r.lixel;
-    r.at = r.lixel;
-    r.warp = region.warp;
-    r.margin = LX_HALF_LIXEL + LX_SNAP;
-    r.isOnPlane = 0.0f;
-    r.slackBeside = 0.0f;
     r.lixelFromPlace = region.lixelFromNdc;
-    return lxWarpedReceiver(r LX_PASS_KNOTS);
+    return lxWarpedReceiver(lxBeforeWarp(r, region, inside) LX_PASS_KNOTS);
 }
 #endif
+
+// On the plane whose pixels the lixels are, the stored depth was taken at the sample itself, and without a caster it is the
+// sample's: the plan knows that depth better than the sample's floats do, and nothing bends within the lixel.
+LX_FN LxReceiver lxOnPlaneOfRegion(LxReceiver r, ShadowRegion region, vec3 positionLocal, vec3 normal, float perW)
+{
+    vec3 p = vec3(abs(positionLocal.x), abs(positionLocal.y), abs(positionLocal.z));
+    vec3 planeNormal = vec3(region.plane.x, region.plane.y, region.plane.z);
+    vec3 apart = cross(planeNormal, normal);
+    float height = planeNormal.x * positionLocal.x + planeNormal.y * positionLocal.y + planeNormal.z * positionLocal.z +
+                   region.plane.w;
+    float roughness = LX_ROUNDING * (p.x + p.y + p.z);
+    if (region.planeDepth.w > 0.0f && abs(height) <= roughness && dot(apart, apart) < LX_SAME_NORMAL * LX_SAME_NORMAL) {
+        float depthPerHeight = region.planeDepth.w * perW;
+        float terms =
+            abs(planeNormal.x) * p.x + abs(planeNormal.y) * p.y + abs(planeNormal.z) * p.z + abs(region.plane.w);
+        r.at = vec2(region.lixelFromNdc.z, region.lixelFromNdc.w);
+        r.depth = region.planeDepth.x + depthPerHeight * height;
+        r.depthPerLixel = vec2(region.planeDepth.y, region.planeDepth.z);
+        r.steepness = vec2(abs(region.planeDepth.y), abs(region.planeDepth.z));
+        float depths = abs(region.planeDepth.x) + abs(region.planeDepth.y) * region.lixelFromNdc.x +
+                       abs(region.planeDepth.z) * region.lixelFromNdc.y;
+        r.slack = LX_PLANE_ROUNDING * (depths + depthPerHeight * terms);
+        r.slackBeside = 2.0f * depthPerHeight * roughness;
+        r.margin = LX_SNAP;
+        r.isOnPlane = 1.0f;
+    }
+    return r;
+}
 
 LX_KNOTS_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 normal LX_KNOTS)
 {
@@ -188,40 +222,11 @@ LX_KNOTS_FN LxReceiver lxReceive(ShadowRegion region, vec3 positionLocal, vec3 n
     // Beyond the far side nothing is drawn: what lies there would lose its shadows, and is the next region's.
     bool inside = clip.w > 0.0f && r.lixel.x >= region.serves.x && r.lixel.y >= region.serves.y &&
                   r.lixel.x < region.serves.z && r.lixel.y < region.serves.w && r.depth >= -LX_ROUNDING * errorZ;
-    r.isInside = inside ? 1.0f : 0.0f;
     r.slack = isEdgeOn ? LX_STEEPEST : LX_ROUNDING * (errorZ + abs(gx) * errorX + abs(gy) * errorY);
-    r.unwarped = r.lixel;
-    r.at = r.lixel;
-    r.warp = region.warp;
-    r.margin = LX_HALF_LIXEL + LX_SNAP;
-    r.isOnPlane = 0.0f;
-    r.slackBeside = 0.0f;
     r.ray = vec3(0.0f, 0.0f, 0.0f);
     r.depthPerRay = r.ray;
     r.lixelFromPlace = vec4(0.0f, 0.0f, 0.0f, 0.0f);
-
-    // On the plane whose pixels the lixels are, the stored depth was taken at the sample itself, and without a caster it is the
-    // sample's: the plan knows that depth better than the sample's floats do, and nothing bends within the lixel.
-    vec3 planeNormal = vec3(region.plane.x, region.plane.y, region.plane.z);
-    vec3 apart = cross(planeNormal, normal);
-    float height = planeNormal.x * positionLocal.x + planeNormal.y * positionLocal.y + planeNormal.z * positionLocal.z +
-                   region.plane.w;
-    float roughness = LX_ROUNDING * (p.x + p.y + p.z);
-    if (region.planeDepth.w > 0.0f && abs(height) <= roughness && dot(apart, apart) < LX_SAME_NORMAL * LX_SAME_NORMAL) {
-        float depthPerHeight = region.planeDepth.w * perW;
-        float terms =
-            abs(planeNormal.x) * p.x + abs(planeNormal.y) * p.y + abs(planeNormal.z) * p.z + abs(region.plane.w);
-        r.at = vec2(region.lixelFromNdc.z, region.lixelFromNdc.w);
-        r.depth = region.planeDepth.x + depthPerHeight * height;
-        r.depthPerLixel = vec2(region.planeDepth.y, region.planeDepth.z);
-        r.steepness = vec2(abs(region.planeDepth.y), abs(region.planeDepth.z));
-        float depths = abs(region.planeDepth.x) + abs(region.planeDepth.y) * region.lixelFromNdc.x +
-                       abs(region.planeDepth.z) * region.lixelFromNdc.y;
-        r.slack = LX_PLANE_ROUNDING * (depths + depthPerHeight * terms);
-        r.slackBeside = 2.0f * depthPerHeight * roughness;
-        r.margin = LX_SNAP;
-        r.isOnPlane = 1.0f;
-    }
+    r = lxOnPlaneOfRegion(lxBeforeWarp(r, region, inside), region, positionLocal, normal, perW);
 #ifndef LIXEL_NO_WARP
     if (region.warp.kind.x != LX_WARP_NONE) return lxWarpedReceiver(r LX_PASS_KNOTS);
 #endif

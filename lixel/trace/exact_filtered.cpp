@@ -58,7 +58,8 @@ std::vector<float> exactFiltered(const TraceScene& scene, const ShadowPlan& plan
             const auto served = servedAt(plan, toDouble(sample.positionLocal));
             LitShare lit(scene, light);
             for (int k = 0; served && k < n * n; ++k) {
-                const Vec2d offset{(k % n + 0.5) / n - 0.5, (k / n + 0.5) / n - 0.5};
+                const int column = k % n, row = k / n;
+                const Vec2d offset{(column + 0.5) / n - 0.5, (row + 0.5) / n - 0.5};
                 const Vec2d middle{served->lixelAndDepth.x, served->lixelAndDepth.y};
                 lit.add(onPlaneOf(sample, served->image, middle + side * offset));
             }

@@ -95,11 +95,12 @@ void EdgeRays::assign(const View& view, Vec3d originWorld, const Mat4d& framed, 
         const double perArea = 1 / area;
         const Vec3d r1 = perArea * (picture.p2.y * s1 - picture.p1.y * s2),
                     r2 = perArea * (picture.p1.x * s2 - picture.p2.x * s1);
-        const double D = dot(r, cross(r1, r2));
-        if (!(r.z > 0) || !(std::abs(D) > kLeastSine * length(r) * length(r1) * length(r2)) || !std::isfinite(D))
+        const double volume = dot(r, cross(r1, r2));
+        if (!(r.z > 0) || !(std::abs(volume) > kLeastSine * length(r) * length(r1) * length(r2)) ||
+            !std::isfinite(volume))
             continue;
-        const double perD = 1 / D;
-        const Vec3d k1 = perD * cross(r2, r), k2 = -perD * cross(r1, r);
+        const double perVolume = 1 / volume;
+        const Vec3d k1 = perVolume * cross(r2, r), k2 = -perVolume * cross(r1, r);
         add(r, k1, k2, sample.weight);
         if (dot(sample.across, sample.across) > 0) {
             addEdge(r, sample.across.x * k1 + sample.across.y * k2, sample.weight);

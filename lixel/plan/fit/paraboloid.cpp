@@ -124,13 +124,13 @@ Expected<std::span<const Vec3d>, FitFailure> pointsOf(const FitInput& input, Par
 
 } // namespace
 
-FitResult fitParaboloid(const FitInput& input, Vec3d axisLocal, ParaboloidExtent kind)
+FitResult fitParaboloid(const FitInput& input, Vec3d axisLocal, ParaboloidExtent extent)
 {
-    const auto points = pointsOf(input, kind);
+    const auto points = pointsOf(input, extent);
     if (!points) return Unexpected{points.error()};
     const ParaboloidBody body(lightFrame(input.light, input.originWorld, axisLocal), *points);
     if (!(body.farthest > 0)) return Unexpected{FitFailure::NothingInView};
-    const Extent extent = extentOf(body, kind, input.scratch);
+    const Extent held = extentOf(body, extent, input.scratch);
     const double terms = body.terms();
     const auto half = [&](double least, double greatest) {
         return std::max(0.5 * kBorder * (greatest - least) + kRoomPerRounding * terms, kLeastPerRounding * terms);
@@ -138,12 +138,12 @@ FitResult fitParaboloid(const FitInput& input, Vec3d axisLocal, ParaboloidExtent
     const Mat4d& framed = body.frame.framedFromLocal;
     Fit fit{Mat4d::fromRows(framed.row(0), framed.row(1), {0, 0, 0, 1}, framed.row(3))};
     Paraboloid paraboloid;
-    paraboloid.centre = {0.5 * (extent.least.x + extent.greatest.x), 0.5 * (extent.least.y + extent.greatest.y)};
-    paraboloid.halfSize = {half(extent.least.x, extent.greatest.x), half(extent.least.y, extent.greatest.y)};
+    paraboloid.centre = {0.5 * (held.least.x + held.greatest.x), 0.5 * (held.least.y + held.greatest.y)};
+    paraboloid.halfSize = {half(held.least.x, held.greatest.x), half(held.least.y, held.greatest.y)};
     paraboloid.far = body.farthest * (1 + 1e-5 + 16 * 0x1p-24 * terms);
     paraboloid.near = nearOf(input, body.frame.apexLocal, body.farthest);
     fit.paraboloid = paraboloid;
-    fit.isOfSamples = kind == ParaboloidExtent::Samples;
+    fit.isOfSamples = extent == ParaboloidExtent::Samples;
     return fit;
 }
 

@@ -45,7 +45,11 @@ LX_FN float lxDepthOfFixed(float bend, uint fixedDepth, float steps)
 }
 
 LX_FN int lxPlaceOf(int dx, int dy) { return (dy + 2) * 5 + dx + 2; }
-LX_FN vec2 lxOffsetOfPlace(int place) { return vec2(float(place % 5 - 2), float(place / 5 - 2)); }
+LX_FN vec2 lxOffsetOfPlace(int place)
+{
+    int row = place / 5;
+    return vec2(float(place - 5 * row - 2), float(row - 2));
+}
 
 // A neighbour's depth of 32 bits with its place.
 LX_FN uint lxPackedDepth(float depth, int place) { return (floatBitsToUint(depth) & ~kLxPlaceBits) | uint(place); }

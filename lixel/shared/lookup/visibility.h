@@ -41,9 +41,11 @@ LX_MAP_FN float lxLitByAreas(LxLookup how, ShadowRegion region, LxReceiver r LX_
     float above = y - floor(y);
     float lit = 0.0f;
     for (int i = 0; i < 4; ++i) {
-        float areaX = i % 2 == 0 ? 1.0f - right : right;
-        float areaY = i / 2 == 0 ? 1.0f - above : above;
-        vec2 corner = lxCornerWithin(how, region, x + float(i % 2), y + float(i / 2));
+        int column = i % 2;
+        int row = i / 2;
+        float areaX = column == 0 ? 1.0f - right : right;
+        float areaY = row == 0 ? 1.0f - above : above;
+        vec2 corner = lxCornerWithin(how, region, x + float(column), y + float(row));
         lit += areaX * areaY * (1.0f - lxCoverage(how, region, r, corner LX_PASS_MAP));
     }
     return lit;
@@ -58,8 +60,8 @@ LX_MAP_FN float lxLitByHardware(ShadowRegion region, LxReceiver r LX_MAP)
     float planeDepth = lxPlaneDepth(r, r.lixel LX_PASS_MAP_KNOTS) + slope;
 #ifndef LIXEL_NO_WARP
     for (int i = 0; i < 4 && r.warp.kind.x != LX_WARP_NONE; ++i) {
-        vec2 centre =
-            vec2(floor(r.lixel.x - 0.5f) + 0.5f + float(i % 2), floor(r.lixel.y - 0.5f) + 0.5f + float(i / 2));
+        int row = i / 2;
+        vec2 centre = vec2(floor(r.lixel.x - 0.5f) + 0.5f + float(i % 2), floor(r.lixel.y - 0.5f) + 0.5f + float(row));
         planeDepth = max(planeDepth, lxPlaneDepth(r, centre LX_PASS_MAP_KNOTS));
     }
 #endif
@@ -79,9 +81,11 @@ LX_MAP_FN float lxLitByMomentsAround(LxLookup how, ShadowRegion region, LxReceiv
     float above = y - floor(y);
     vec4 moments = vec4(0.0f, 0.0f, 0.0f, 0.0f);
     for (int i = 0; i < 4; ++i) {
-        float areaX = i % 2 == 0 ? 1.0f - right : right;
-        float areaY = i / 2 == 0 ? 1.0f - above : above;
-        vec2 corner = lxCornerWithin(how, region, x + float(i % 2), y + float(i / 2));
+        int column = i % 2;
+        int row = i / 2;
+        float areaX = column == 0 ? 1.0f - right : right;
+        float areaY = row == 0 ? 1.0f - above : above;
+        vec2 corner = lxCornerWithin(how, region, x + float(column), y + float(row));
         moments = moments + areaX * areaY * LX_STORED_MOMENTS(int(corner.x), int(corner.y), int(region.place.x));
     }
     float slope = r.steepness.x + r.steepness.y;
