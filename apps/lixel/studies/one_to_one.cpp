@@ -67,7 +67,8 @@ double worstInDouble(const PlaneConfiguration& c, const PixelMap& map, std::int6
     const std::int64_t step = std::max<std::int64_t>(1, lixels / kPointsADouble) | 1;
     double worst = -1;
     for (std::int64_t i = 0; i < lixels; i += step) {
-        const Vec2d pixel{map.pixels.x0 + double(i % width) + 0.5, map.pixels.y0 + double(i / width) + 0.5};
+        const std::int64_t column = i % width, row = i / width;
+        const Vec2d pixel{map.pixels.x0 + double(column) + 0.5, map.pixels.y0 + double(row) + 0.5};
         const auto p = seenAt(c.view, c.originWorld, c.planeLocal, pixel);
         const auto lixel = p ? image.lixelAt(*p) : std::nullopt;
         if (!lixel || lixel->z > 1) continue;

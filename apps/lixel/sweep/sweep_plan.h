@@ -51,7 +51,7 @@ struct SweepPlan
 
 // JSON in one line, and back: nothing where it is no plan.
 std::string toJson(const SweepPlan& plan);
-std::optional<SweepPlan> readPlan(std::string_view json);
+std::optional<SweepPlan> readPlan(std::string_view text);
 
 // Scenes that are open. A study may name more than memory holds: of large ones only the last stays.
 class SceneShelf
