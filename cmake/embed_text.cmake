@@ -67,7 +67,7 @@ namespace {
 
 ${arrays}} // namespace
 
-std::span<const lixel::EmbeddedText> lixel::${NAME}()
+std::span<const lixel::EmbeddedText> lixel::${NAME}() // NOLINT(readability-function-size): a line for each text
 {
     static const EmbeddedText texts[] = {
 ${entries}    };

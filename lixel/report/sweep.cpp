@@ -106,7 +106,7 @@ std::string sweepRowLine(const ResultRow& row, const SweepRowPlace& place, const
     Json timing = json.contains("timing") ? json["timing"] : Json::object();
     timing["host"] = place.host;
     json.erase("timing");
-    return lineOf(std::move(json), timing);
+    return lineOf(json, timing);
 }
 
 std::optional<SweepRowName> nameOfSweepRow(std::string_view line)
