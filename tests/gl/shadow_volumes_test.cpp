@@ -160,7 +160,7 @@ TEST_F(ShadowVolumes, HoldAnEyeInsideThem)
     EXPECT_GT(lit, 1000u);
 }
 
-// One body under one light, nothing else.
+// One body under one light, nothing else. On its outline the rasterizer may find the inside of a sphere, which is dark.
 void expectAloneIsLit(GlExecutor& executor, Rng& rng)
 {
     const double half = rng.logUniform(1e-3, 1e4);
@@ -175,11 +175,16 @@ void expectAloneIsLit(GlExecutor& executor, Rng& rng)
     const ViewSamples samples = executor.viewSamples(scene.casters(), view);
     const auto visibility = executor.shadowVolumes(scene.casters(), view, {&light, 1}, samples);
     ASSERT_TRUE(visibility);
-    std::size_t dark = 0;
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        dark +=
-            isLightFacing(light, scene.originWorld, toDouble(samples.positionLocal[i]), toDouble(samples.normal[i])) &&
-            (*visibility)[0].value[i] != 1;
+    const std::vector<float> exact = exactVisibility(TraceScene(scene.casters()), samples, light);
+    std::size_t dark = 0, inside = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (!isLightFacing(light, scene.originWorld, toDouble(samples.positionLocal[i]), toDouble(samples.normal[i])))
+            continue;
+        const bool isInside = exact[i] < 0.5f && isOffCentre(samples, view, i);
+        inside += isInside;
+        dark += !isInside && (*visibility)[0].value[i] != 1;
+    }
+    EXPECT_LE(inside, 2u);
     EXPECT_EQ(dark, 0u) << "half " << half << " light " << int(light.kind) << " of " << samples.size();
 }
 
@@ -189,12 +194,15 @@ TEST_F(ShadowVolumes, APlaneOrSphereAloneIsLitAtAnySlopeAndScale)
     forEachCase(40, [&](Rng& rng) { expectAloneIsLit(executor, rng); });
 }
 
-// Seen across the plane's border, by what the rasterizer rounds: the volume's side came before the sample.
-TEST_F(ShadowVolumes, ASampleOnTheBorderOfAPlaneAloneIsLit)
+// By what the rasterizer rounds: across a plane's border its volume's side came before the sample, and a sample of a sphere is on
+// the inside.
+TEST_F(ShadowVolumes, ASampleOnTheOutlineOfABodyAloneIsLit)
 {
     GlExecutor executor;
-    Rng rng(20040722);
-    expectAloneIsLit(executor, rng);
+    for (const std::uint64_t seed : {20040722, 20041067}) {
+        Rng rng(seed);
+        expectAloneIsLit(executor, rng);
+    }
 }
 
 TEST_F(ShadowVolumes, AreRefusedByNameForHolesAndParallelViews)
