@@ -37,8 +37,10 @@ Json lookupJson(const LookupStudy::Lookup& of)
             {"dark_interior_samples", of.darkInterior.samples},
             {"dark_interior_lit", of.darkInterior.misclassified},
             {"area_rmse", of.areaRmse},
+            {"area_largest", of.areaLargest},
             {"filter_lixels", orNull(of.filterLixels)},
             {"filtered_rmse", orNull(of.filteredRmse)},
+            {"filtered_largest", orNull(of.filteredLargest)},
             {"timing", timesJson(of.times)}};
 }
 

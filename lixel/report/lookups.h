@@ -35,7 +35,8 @@ struct LookupStudy
         double bleedingPercent = 0;      // mean light of dark interior samples, of all lights together
         SampleCount darkInterior;        // these, and those that are lit when rounded
         double areaRmse = 0;             // root of the mean square over lights
-        std::optional<double> filterLixels, filteredRmse;
+        double areaLargest = 0;
+        std::optional<double> filterLixels, filteredRmse, filteredLargest;
         std::optional<Times> times;
     };
     // Lookups that none beats, from the cheapest on.

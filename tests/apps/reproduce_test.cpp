@@ -317,13 +317,51 @@ TEST(ReproduceMultipleDepth, TheScreenOfEquation6Has580PixelsASide)
     const CommandResult run = runMultipleDepth("multiple-depth-cost", folder);
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const Json numbers = Json::parse(readWhole(folder.path() / "out.json")).at("reproduction").at("numbers");
-    for (const Json& number : numbers) {
-        const std::string key = number.at("key");
-        if (key.starts_with("equation 6")) {
-            EXPECT_NEAR(number.at("ours"), 580.55, 0.01);
+    std::map<std::string, double> ours;
+    for (const Json& number : numbers) ours[number.at("key")] = number.at("ours");
+    EXPECT_NEAR(ours.at("equation 6: side of a square screen over a map of 512"), 580.55, 0.01);
+    for (const std::string shot : {"bunnies, overview: ", "city, overview: "}) {
+        const double fragments = ours.at(shot + "fragments a pixel, forward");
+        EXPECT_GE(fragments, 1);
+        const double lambda = ours.at(shot + "break-even by accesses, lambda, forward");
+        EXPECT_NEAR(lambda * lambda * fragments, 9.0 / 7, 1e-12); // equation 5
+    }
+}
+
+// Three figures, and nineteen lookups on two kinds of receivers against three truths.
+TEST(ReproduceMultipleDepth, FiguresHoldEveryRuleOfChoosingDepthsAgainstBothTruths)
+{
+    const TemporaryFolder folder;
+    const CommandResult run = runMultipleDepth("multiple-depth-figures", folder);
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const std::string text = readWhole(folder.path() / "out.json");
+    EXPECT_EQ(schemaError(text), "");
+    const Json reproduction = Json::parse(text).at("reproduction"), tables = reproduction.at("tables");
+    expectInTheTableOfClaims(reproduction.at("claims"));
+    ASSERT_EQ(tables.size(), 2u);
+    const Json rmse = tables[0].at("rows"), largest = tables[1].at("rows");
+    ASSERT_EQ(rmse.size(), 6u);
+    ASSERT_EQ(largest.size(), 6u);
+    std::map<std::string, std::size_t> at;
+    for (const Json& column : tables[0].at("columns")) at.emplace(column.at("technique"), at.size());
+    ASSERT_EQ(at.size(), 19u);
+    for (std::size_t r = 0; r < rmse.size(); ++r) {
+        const auto of = [&](const Json& rows, const char* technique) {
+            return rows[r].at("cells")[at.at(technique)].at("ours").get<double>();
+        };
+        EXPECT_EQ(rmse[r].at("cells").size(), 19u);
+        for (const auto& [technique, column] : at) {
+            EXPECT_GT(of(rmse, technique.c_str()), 0) << technique;
+            EXPECT_GE(of(largest, technique.c_str()), of(rmse, technique.c_str())) << technique;
+            EXPECT_LE(of(largest, technique.c_str()), 1) << technique;
         }
-        if (key.ends_with("forward")) {
-            EXPECT_GE(number.at("ours"), 1);
+        const bool isOwn = r % 3 == 1; // after that of PCF(16,1), which is its own, and before the pixel's
+        if (isOwn) {
+            EXPECT_EQ(of(rmse, "pcf(16)"), rmse[r - 1].at("cells")[at.at("pcf(16)")].at("ours"));
+        }
+        EXPECT_NEAR(of(rmse, "depths(4,bits=16)+pcf(9)") / of(rmse, "depths(4)+pcf(9)"), 1, 0.01);
+        if (r % 3 < 2) {
+            EXPECT_LT(of(rmse, "pcf(9)"), of(rmse, "pcf(1)"));
         }
     }
 }

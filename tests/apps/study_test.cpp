@@ -187,6 +187,13 @@ TEST(StudyCommand, LookupsStandAgainstBytesWithTheBestNamed)
     for (const auto& [name, most] : outcomes) EXPECT_LE(lookups.at(name).at("shades").get<int>(), most) << name;
     EXPECT_EQ(lookups.at("pcf(9)").at("shades"), 10);
     EXPECT_TRUE(lookups.at("bilinear").at("filtered_rmse").is_null());
+    EXPECT_TRUE(lookups.at("bilinear").at("filtered_largest").is_null());
+    for (const auto& [name, lookup] : lookups) {
+        EXPECT_GE(lookup.at("area_largest"), lookup.at("area_rmse")) << name;
+        if (!lookup.at("filtered_rmse").is_null()) {
+            EXPECT_GE(lookup.at("filtered_largest"), lookup.at("filtered_rmse")) << name;
+        }
+    }
     EXPECT_LT(lookups.at("pcf(25)").at("filtered_rmse").get<double>(),
               lookups.at("pcf(1)").at("filtered_rmse").get<double>());
     EXPECT_GT(lookups.at("vsm").at("bleeding_percent").get<double>(),

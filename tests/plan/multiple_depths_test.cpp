@@ -64,14 +64,14 @@ TEST(MultipleDepths, TheShareIsTheNumberOfNearerDepthsNotWhetherOneIs)
     EXPECT_FLOAT_EQ(1 - litBy(howOf("depths(3,minmax)"), plainRegion(), receiverAt(30), map), 1.0f / 3);
 }
 
-// A map of random steps that floats, and 16 bits, hold exactly.
+// A map of random steps that 16 bits hold exactly: 65535 is 15 times 4369.
 struct RandomMap
 {
     std::array<float, 16 * 16> depths{};
     explicit RandomMap(Rng& rng)
     {
-        const int levels = rng.integer(1, 6);
-        for (float& depth : depths) depth = float(rng.integer(0, levels)) / 8;
+        const int levels = rng.integer(1, 12);
+        for (float& depth : depths) depth = float(rng.integer(0, levels)) / 15;
     }
     float operator()(int x, int y, int) const
     {
@@ -116,6 +116,31 @@ bool doAllAgree(const shared::LxLookup& how, const shared::LxReceiver& r, const 
             }
     }
     return verdicts.size() == 1;
+}
+
+// As sections 2.1 and 2.2 have it: the share of the taps whose lixel is no nearer to the light than the receiver's plane is there.
+TEST(MultipleDepths, OneDepthIsTheClassicTest)
+{
+    std::set<float> outcomes;
+    forEachCase(kCases, [&](Rng& rng) {
+        const std::string kernel = anyOf(kKernels, rng);
+        const shared::LxLookup one = howOf("depths(1)+" + kernel);
+        EXPECT_EQ(toString(*parseTechnique("depths(1)+" + kernel)), toString(*parseTechnique(kernel)));
+        const RandomMap map(rng);
+        const shared::LxReceiver r = anyReceiver(rng);
+        const auto seed = shared::uint(rng.integer(0, 1 << 30));
+        int lit = 0;
+        for (int tap = 0; tap < one.side * one.side; ++tap) {
+            const shared::vec2 offset = shared::lxTap(one, tap % one.side, tap / one.side, seed);
+            const int x = std::clamp(int(std::floor(r.lixel.x + offset.x)), 8, 23);
+            const int y = std::clamp(int(std::floor(r.lixel.y + offset.y)), 8, 23);
+            lit += map(x, y, 0) <= shared::lxShadowingDepth(r, {float(x) + 0.5f, float(y) + 0.5f});
+        }
+        const float share = litBy(one, plainRegion(), r, map, seed);
+        EXPECT_FLOAT_EQ(share, float(lit) / float(one.side * one.side)) << kernel;
+        outcomes.insert(share);
+    });
+    EXPECT_GT(outcomes.size(), 30u);
 }
 
 TEST(MultipleDepths, MoreDepthsChangeNothingWhereAllNeighboursAgree)

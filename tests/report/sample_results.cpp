@@ -308,8 +308,10 @@ LookupStudy sampleLookups(const fs::path& folder, int size)
                                bleeding,
                                {1000, 2},
                                0.25,
+                               0.75,
                                filtered ? std::optional(2.0) : std::nullopt,
                                filtered,
+                               filtered ? std::optional(0.5) : std::nullopt,
                                times});
     };
     add("pcf(1)", 4, 3.0, 0, 0.2, LookupStudy::Times{1, 1, 0, 4.5});

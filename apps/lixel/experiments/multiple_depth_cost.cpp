@@ -63,6 +63,12 @@ double farthestFrom(const Line& line, const std::array<double, kTaps.size()>& ms
     return farthest;
 }
 
+// Equation 6, of a picture with so many fragments a pixel: lambda from which on there are so many of them a lixel.
+double sidesAt(double fragmentsPerLixel, double fragmentsPerPixel)
+{
+    return std::sqrt(fragmentsPerLixel / fragmentsPerPixel);
+}
+
 class Cost
 {
 public:
@@ -91,6 +97,7 @@ private:
     double samplesShare_ = 0; // of pixels that see a surface
     Line one_, two_;          // ms a sample
     double prepare_ = 0;      // ms of the map
+    double predicted_ = 0;    // fragments a lixel; below 0: never
     Reproduction out_;
 };
 
@@ -155,8 +162,10 @@ void Cost::addTerms(const OnePicture& picture)
 void Cost::addBreakEven()
 {
     const double gain = one_.at + 16 * one_.perTap - two_.at - 9 * two_.perTap; // ms a sample
-    add("predicted break-even, f / (h w)", "fragments a lixel; below 0: never",
-        prepare_ / gain / (double(kMap) * kMap));
+    predicted_ = prepare_ / gain / (double(kMap) * kMap);
+    add("predicted break-even, f / (h w)", "fragments a lixel; below 0: never", predicted_);
+    if (predicted_ > 0)
+        add("predicted break-even, lambda", "sides, deferred shading of this view", sidesAt(predicted_, samplesShare_));
     ReproducedChart chart{"Lookups of growing pictures",
                           "lambda, the picture's side over the map's",
                           "ms",
@@ -187,21 +196,24 @@ void Cost::addBreakEven()
     add("choosing depths, the slowest picture over the fastest", "ratio of times", slowest / fastest);
     if (!crossing) return;
     add("measured break-even, f / (h w)", "fragments a lixel", *crossing);
-    add("measured break-even, lambda", "sides, all pixels seen", std::sqrt(*crossing));
+    add("measured break-even, lambda", "sides, deferred shading of this view", sidesAt(*crossing, samplesShare_));
 }
 
-// Fragments of a forward renderer without a depth test, a pixel: what f is for scenes.
+// Fragments of a forward renderer without a depth test, a pixel: what f is for scenes. lixel shades deferred, so what a fragment costs
+// there is taken from the terms of a sample.
 void Cost::addFragments()
 {
     constexpr std::array kScenes{"bunnies", "city", "table", "objects", "colonnade", "fence", "lamp"};
     for (const char* scene : std::span(kScenes).first(options_.isQuick ? 2 : kScenes.size())) {
         const OnePicture picture(scene, "", "256x256", *executor_);
         const double pixels = double(picture.view.width) * picture.view.height;
-        out_.numbers.push_back({fmt::format("{}, {}: fragments a pixel, forward", scene, picture.shot().name),
-                                "ratio",
-                                double(fragmentsOf(picture.stage, picture.view)) / pixels,
-                                {},
-                                ""});
+        const double fragments = double(fragmentsOf(picture.stage, picture.view)) / pixels;
+        const std::string shot = fmt::format("{}, {}", scene, picture.shot().name);
+        out_.numbers.push_back({shot + ": fragments a pixel, forward", "ratio", fragments, {}, ""});
+        out_.numbers.push_back(
+            {shot + ": break-even by accesses, lambda, forward", "sides", sidesAt(kQ / kR, fragments), {}, ""});
+        if (predicted_ > 0)
+            add(shot + ": predicted break-even, lambda, forward", "sides", sidesAt(predicted_, fragments));
     }
 }
 

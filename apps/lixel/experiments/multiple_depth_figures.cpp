@@ -205,11 +205,18 @@ void Figures::addNumbers()
                                               {"its own footprint", &Errors::own},
                                               {"the pixel's area", &Errors::area}}};
     ReproducedTable table{"Error over the edge band", "RMSE of visibility", "which gives none", {}, {}};
+    ReproducedTable largest{
+        "Largest error over the edge band", "largest difference of visibility", "which gives none", {}, {}};
     for (const char* technique : kTechniques) table.columns.push_back({technique, technique});
+    largest.columns = table.columns;
     for (const std::size_t r : {Planar, Curved})
         for (const Against& against : kTruths) {
             ReproducedTable::Row row{fmt::format("{} receivers, against {}", kReceivers[r], against.truth), {}};
-            for (const Errors& errors : errors_[r]) row.cells.push_back({(errors.*against.error).rootMeanSquare(), {}});
+            ReproducedTable::Row& most = largest.rows.emplace_back(row);
+            for (const Errors& errors : errors_[r]) {
+                row.cells.push_back({(errors.*against.error).rootMeanSquare(), {}});
+                most.cells.push_back({(errors.*against.error).largest, {}});
+            }
             for (std::size_t t = 1; t < kTechniques.size() && against.error != &Errors::area; ++t)
                 out_.numbers.push_back({fmt::format("{}, {}: RMSE over that of PCF(16,1), against {}", kReceivers[r],
                                                     kTechniques[t], against.truth),
@@ -220,6 +227,7 @@ void Figures::addNumbers()
             table.rows.push_back(std::move(row));
         }
     out_.tables.push_back(std::move(table));
+    out_.tables.push_back(std::move(largest));
 }
 
 Reproduction Figures::run()

@@ -95,8 +95,12 @@ public:
         out_.darkInterior.misclassified += shades.darkInterior.misclassified;
         out_.bleedingPercent += shades.bleedingPercent * double(shades.darkInterior.samples);
         out_.areaRmse += shades.area.rmse * shades.area.rmse;
+        out_.areaLargest = std::max(out_.areaLargest, shades.area.largest);
         out_.filterLixels = shades.filterLixels;
-        if (shades.filtered) filteredSquares_ += shades.filtered->rmse * shades.filtered->rmse;
+        if (shades.filtered) {
+            filteredSquares_ += shades.filtered->rmse * shades.filtered->rmse;
+            out_.filteredLargest = std::max(out_.filteredLargest.value_or(0), shades.filtered->largest);
+        }
         if (nearest.misclassified == 0) return;
         logRatios_ += std::log(double(std::max<std::int64_t>(m.misclassified, 1)) / double(nearest.misclassified));
         ++ratios_;

@@ -60,6 +60,7 @@ function showRows() {
     inZone("Terminator band flips %", "terminator_band_flips_percent"),
     inZone("Interior flips %", "interior_flips_percent"),
     column("Refused frames", row => row.temporal?.refused_frames ?? null, countText, "which count nowhere else"));
+  byId("rows").hidden = !measured.length;
   byId("rows-table").replaceChildren(sortableTable("All rows", columns, measured, true));
 }
 

@@ -29,6 +29,7 @@ function showSummary() {
   if (isCharted && costs.length) byId("charts").append(barChart("Time of a frame", "ms", costs));
   byId("charts").querySelector("figcaption")?.append(errorKeys());
   if (isPath) showFlips(compared, label);
+  byId("summary").hidden = !summary.length;
   byId("summary-table").replaceChildren(sortableTable("Means by technique", summaryColumns(several), summary));
 }
 
