@@ -31,7 +31,7 @@ struct LookupStudy
         double misclassifiedPercent = 0; // mean over lights
         double ratioToNearest = 0;       // geometric mean over those that nearest has errors in
         std::int64_t shades = 0;         // at most in one
-        double transitionPixels = 0;     // mean
+        double transitionPixels = 0;     // median: a lamp at the eye has next to no boundary to share transitions among
         double bleedingPercent = 0;      // mean light of dark interior samples, of all lights together
         SampleCount darkInterior;        // these, and those that are lit when rounded
         double areaRmse = 0;             // root of the mean square over lights

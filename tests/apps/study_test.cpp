@@ -196,6 +196,8 @@ TEST(StudyCommand, LookupsStandAgainstBytesWithTheBestNamed)
     }
     EXPECT_LT(lookups.at("pcf(25)").at("filtered_rmse").get<double>(),
               lookups.at("pcf(1)").at("filtered_rmse").get<double>());
+    EXPECT_GT(lookups.at("pcf(4)").at("transition_pixels"), lookups.at("pcf(1)").at("transition_pixels"));
+    EXPECT_GT(lookups.at("pcf(25)").at("transition_pixels"), lookups.at("pcf(4)").at("transition_pixels"));
     EXPECT_GT(lookups.at("vsm").at("bleeding_percent").get<double>(),
               lookups.at("pcf(9)").at("bleeding_percent").get<double>());
     for (const auto& front : study.at("fronts")) {

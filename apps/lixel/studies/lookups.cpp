@@ -79,6 +79,15 @@ std::vector<ResultRow> rowsOfShot(const StudiedPicture& picture, const Shot& sho
                              executors, [&](std::string_view now) { progress.step(now); });
 }
 
+// 0 of none.
+double medianOf(std::vector<double> values)
+{
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
 // One lookup's rows added up.
 class Sum
 {
@@ -90,7 +99,7 @@ public:
         out_.misclassified += m.misclassified;
         out_.misclassifiedPercent += 100.0 * double(m.misclassified) / double(m.lightFacing);
         out_.shades = std::max(out_.shades, shades.distinct);
-        out_.transitionPixels += shades.transitionPixels;
+        transitions_.push_back(shades.transitionPixels);
         out_.darkInterior.samples += shades.darkInterior.samples;
         out_.darkInterior.misclassified += shades.darkInterior.misclassified;
         out_.bleedingPercent += shades.bleedingPercent * double(shades.darkInterior.samples);
@@ -110,7 +119,8 @@ public:
     {
         LookupStudy::Lookup out = out_;
         const double n = std::max(out.lights, 1);
-        out.misclassifiedPercent /= n, out.transitionPixels /= n;
+        out.misclassifiedPercent /= n;
+        out.transitionPixels = medianOf(transitions_);
         out.bleedingPercent /= double(std::max<std::int64_t>(out.darkInterior.samples, 1));
         out.areaRmse = std::sqrt(out.areaRmse / n);
         if (out.filterLixels) out.filteredRmse = std::sqrt(filteredSquares_ / n);
@@ -120,6 +130,7 @@ public:
 
 private:
     LookupStudy::Lookup out_;
+    std::vector<double> transitions_;
     double filteredSquares_ = 0, logRatios_ = 0;
     int ratios_ = 0;
 };

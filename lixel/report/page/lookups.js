@@ -42,7 +42,7 @@ function lookupColumns(bestOf) {
     column("Misclassified %", "misclassified_percent", percentText, "mean over views and lights"),
     column("Over pcf(1)", "ratio_to_nearest", numberText, "misclassified, geometric mean over views and lights"),
     column("Shades", "shades", countText, "different values of visibility, at most in one picture"),
-    column("Transition", "transition_pixels", numberText, "pixels from 5 to 95 % lit"),
+    column("Transition", "transition_pixels", numberText, "pixels from 5 to 95 % lit, median over views and lights"),
     column("Area RMSE", "area_rmse", numberText, "over the edge band, against the share of the pixel that is lit"),
     column("Area largest", "area_largest", numberText, "of these errors"),
     column("Filtered RMSE", "filtered_rmse", numberText,
