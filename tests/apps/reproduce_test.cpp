@@ -282,22 +282,24 @@ TEST(Reproduce, LightsAndSizesAreForExperimentsWithManyLightsOnly)
     }
 }
 
-CommandResult runMultipleDepth(const std::string& name, const TemporaryFolder& folder)
+// What a quick run by the CPU executor finds.
+Json reproducedMultipleDepth(const std::string& name)
 {
+    const TemporaryFolder folder;
     CommandOptions options;
     options.folder = folder.path();
-    return runLixel({"reproduce", name, "--quick", "--executor", "trace", "--json", "out.json"}, options);
+    const CommandResult run =
+        runLixel({"reproduce", name, "--quick", "--executor", "trace", "--json", "out.json"}, options);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    const std::string text = readWhole(folder.path() / "out.json");
+    EXPECT_EQ(schemaError(text), "");
+    return Json::parse(text).at("reproduction");
 }
 
 // Never more shades than n k + 1, and all of them where they are few.
 TEST(ReproduceMultipleDepth, Table1ComesOutOfAPicture)
 {
-    const TemporaryFolder folder;
-    const CommandResult run = runMultipleDepth("multiple-depth-table1", folder);
-    ASSERT_EQ(run.exitCode, 0) << run.err;
-    const std::string text = readWhole(folder.path() / "out.json");
-    EXPECT_EQ(schemaError(text), "");
-    const Json reproduction = Json::parse(text).at("reproduction"), numbers = reproduction.at("numbers");
+    const Json reproduction = reproducedMultipleDepth("multiple-depth-table1"), numbers = reproduction.at("numbers");
     EXPECT_EQ(reproduction.at("charts").at(0).at("lines").size(), 4u) << "Figure 3";
     EXPECT_EQ(reproduction.at("claims").size(), 3u);
     expectInTheTableOfClaims(reproduction.at("claims"));
@@ -313,12 +315,9 @@ TEST(ReproduceMultipleDepth, Table1ComesOutOfAPicture)
 // Of 512 lixels a side, sqrt(9 / 7): the paper's 656 is 1.28 times the side, and should be 1.28 times the area.
 TEST(ReproduceMultipleDepth, TheScreenOfEquation6Has580PixelsASide)
 {
-    const TemporaryFolder folder;
-    const CommandResult run = runMultipleDepth("multiple-depth-cost", folder);
-    ASSERT_EQ(run.exitCode, 0) << run.err;
-    const Json numbers = Json::parse(readWhole(folder.path() / "out.json")).at("reproduction").at("numbers");
+    const Json reproduction = reproducedMultipleDepth("multiple-depth-cost");
     std::map<std::string, double> ours;
-    for (const Json& number : numbers) ours[number.at("key")] = number.at("ours");
+    for (const Json& number : reproduction.at("numbers")) ours[number.at("key")] = number.at("ours");
     EXPECT_NEAR(ours.at("equation 6: side of a square screen over a map of 512"), 580.55, 0.01);
     for (const std::string shot : {"bunnies, overview: ", "city, overview: "}) {
         const double fragments = ours.at(shot + "fragments a pixel, forward");
@@ -331,12 +330,7 @@ TEST(ReproduceMultipleDepth, TheScreenOfEquation6Has580PixelsASide)
 // Three figures, and nineteen lookups on two kinds of receivers against three truths.
 TEST(ReproduceMultipleDepth, FiguresHoldEveryRuleOfChoosingDepthsAgainstBothTruths)
 {
-    const TemporaryFolder folder;
-    const CommandResult run = runMultipleDepth("multiple-depth-figures", folder);
-    ASSERT_EQ(run.exitCode, 0) << run.err;
-    const std::string text = readWhole(folder.path() / "out.json");
-    EXPECT_EQ(schemaError(text), "");
-    const Json reproduction = Json::parse(text).at("reproduction"), tables = reproduction.at("tables");
+    const Json reproduction = reproducedMultipleDepth("multiple-depth-figures"), tables = reproduction.at("tables");
     expectInTheTableOfClaims(reproduction.at("claims"));
     ASSERT_EQ(tables.size(), 2u);
     const Json rmse = tables[0].at("rows"), largest = tables[1].at("rows");
