@@ -13,8 +13,8 @@
 namespace lixel {
 namespace {
 
-constexpr double kTurnStep = 1.0 / 16; // radians
-constexpr double kGridPerDiagonal = 1.0 / 64;
+constexpr double kTurnStep = 1.0 / 14; // radians
+constexpr double kGridPerDiagonal = 1.0 / 20;
 constexpr double kAngleGrid = 1.0 / 256; // radians, that the held view's opening is rounded up to
 constexpr double kWidestHeld = 1.5;      // radians of half angle
 
@@ -103,12 +103,54 @@ Vec3d snapped(Vec3d p, double step)
     return {step * std::round(p.x / step), step * std::round(p.y / step), step * std::round(p.z / step)};
 }
 
-// A direction on a fixed grid of angles; at most a step away.
-Vec3d snappedDirection(Vec3d d)
+// How a camera is turned, on a grid of angles: yaw, then pitch, then roll about the line of sight.
+struct Turn
 {
-    const double yaw = kTurnStep * std::round(std::atan2(d.x, d.z) / kTurnStep);
-    const double pitch = kTurnStep * std::round(std::asin(std::clamp(d.y, -1.0, 1.0)) / kTurnStep);
-    return {std::cos(pitch) * std::sin(yaw), std::sin(pitch), std::cos(pitch) * std::cos(yaw)};
+    Vec3d forward, up;
+};
+
+Turn snappedTurn(Vec3d forward, Vec3d right)
+{
+    const auto rightOfUpright = [](double yaw) { return Vec3d{-std::cos(yaw), 0, std::sin(yaw)}; };
+    const double yaw = std::atan2(forward.x, forward.z), pitch = std::asin(std::clamp(forward.y, -1.0, 1.0));
+    const Vec3d level = rightOfUpright(yaw);
+    const double roll = std::atan2(dot(right, cross(level, forward)), dot(right, level));
+
+    const auto onGrid = [](double angle) { return kTurnStep * std::round(angle / kTurnStep); };
+    const double y = onGrid(yaw), p = onGrid(pitch), r = onGrid(roll);
+    const Vec3d f{std::cos(p) * std::sin(y), std::sin(p), std::cos(p) * std::cos(y)};
+    return {f, std::cos(r) * cross(rightOfUpright(y), f) - std::sin(r) * rightOfUpright(y)};
+}
+
+// How far a picture's corners are from its line of sight, to the side and upwards: radians, rounded up so that jitter of a part
+// of a pixel does not change them.
+struct HalfAngles
+{
+    double side = 0, up = 0;
+};
+
+HalfAngles halfAngles(const std::array<Vec3d, 4>& fromEye, Vec3d forward, Vec3d right)
+{
+    const Vec3d up = cross(right, forward);
+    HalfAngles half;
+    for (const Vec3d& corner : fromEye) {
+        half.side = std::max(half.side, std::atan2(std::abs(dot(corner, right)), dot(corner, forward)));
+        half.up = std::max(half.up, std::atan2(std::abs(dot(corner, up)), dot(corner, forward)));
+    }
+    const auto roundedUp = [](double angle) { return kAngleGrid * std::ceil(angle / kAngleGrid); };
+    return {roundedUp(half.side), roundedUp(half.up)};
+}
+
+// Those of a picture that still holds the other when they are turned apart by half a step of yaw and pitch, whose axes are at right
+// angles, and of roll. A side plane tilted by t moves directions at an angle e above its middle out by asin(sin t cos e) only.
+HalfAngles widened(const HalfAngles& half)
+{
+    const double corner = std::atan(std::hypot(std::tan(half.side), std::tan(half.up)));
+    const double turn = 0.5 * kTurnStep * (std::sqrt(2.0) + std::sin(corner));
+    const auto tilted = [&](double angle, double across) {
+        return angle + std::asin(std::min(std::sin(turn) / std::cos(std::min(across + turn, kWidestHeld)), 1.0));
+    };
+    return {tilted(half.side, half.up), tilted(half.up, half.side)};
 }
 
 } // namespace
@@ -159,20 +201,25 @@ std::optional<View> heldView(const View& view, double gridStep)
     const auto anchoredFromClip = inverse(view.clipFromAnchored);
     if (!depth.isPerspective || !anchoredFromClip || !(gridStep > 0)) return std::nullopt;
 
-    // The cone around the picture's corners, wider by the turn, from an eye so far back that a step aside stays inside.
-    const Vec3d eye = xyz(view.eyeAnchored), forward = snappedDirection(depth.forward);
-    double cosine = 1;
-    for (const Vec3d& corner : cornersAt(*anchoredFromClip, depth, 1))
-        cosine = std::min(cosine, dot(normalized(corner - eye), depth.forward));
-    const double half = kAngleGrid * std::ceil(std::acos(cosine) / kAngleGrid) + kTurnStep;
-    if (half > kWidestHeld) return std::nullopt;
-    const Vec3d held = snapped(view.anchorWorld + eye, gridStep) - (gridStep / std::sin(half)) * forward;
-    const Vec3d up = std::abs(forward.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
-    // Half of the near depth: a corner of the near side lies less deep for a camera that looks a step aside.
+    const Vec3d eye = xyz(view.eyeAnchored);
+    std::array<Vec3d, 4> corners = cornersAt(*anchoredFromClip, depth, 1);
+    for (Vec3d& corner : corners) corner = corner - eye;
+    const Vec3d right = normalized(corners[1] - corners[0]);
+    const HalfAngles half = widened(halfAngles(corners, depth.forward, right));
+    if (std::max(half.side, half.up) > kWidestHeld) return std::nullopt;
+
+    // From an eye so far back that half a step aside along all three axes stays inside. What the camera sees is at least as far before it
+    // as that eye is behind such a step; nothing nearer may make the map's perspective stronger. Half of the near depth: a corner
+    // of the near side lies less deep for a camera that looks a step aside.
+    const Turn turned = snappedTurn(depth.forward, right);
+    const double aside = std::sqrt(0.75) * gridStep, back = aside / std::sin(std::min(half.side, half.up));
+    const Vec3d held = snapped(view.anchorWorld + eye, gridStep) - back * turned.forward;
     const double nearest = std::max(betweenSides(*anchoredFromClip, depth).nearest, 1e-3 * gridStep);
-    const double near = std::exp2(std::floor(std::log2(nearest)) - 1);
-    return perspectiveView(held, held + forward, up, 2 * half, near, std::numeric_limits<double>::infinity(),
-                           view.height, view.height);
+    const double near = back - aside + std::exp2(std::floor(std::log2(nearest)) - 1);
+    View result = perspectiveView(held, held + turned.forward, turned.up, 2 * half.up, near,
+                                  std::numeric_limits<double>::infinity(), view.height, view.height);
+    for (double& x : result.clipFromAnchored.m[0]) x *= std::tan(half.up) / std::tan(half.side);
+    return result;
 }
 
 FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&))

@@ -18,7 +18,7 @@ namespace lixel {
 FitResult fitStable(const FitInput& input);
 
 // For fits whose perspective follows the camera: the fit of a held view, which stays as it is while the camera moves within a
-// step of a grid (1/64 of the scene's diagonal) and turns within a step of 1/16 radian, and holds every such view. Between
+// step of a grid (1/20 of the scene's diagonal) and turns within a step of 1/14 radian, and holds every such view. Between
 // steps the map does not change at all; at a step all of it does. Cells that follow the camera would move such maps with it: it is
 // for all of space. `fit` finds scratch.points filled with what the held view
 // sees, and no view samples, which would change from frame to frame.
@@ -29,7 +29,8 @@ FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&));
 // the square root of two.
 DepthSpan stableDepths(const FitInput& input);
 
-// The held view itself. Nothing for parallel views, for those too wide to widen (some 82 degrees and more from the line of sight), and
+// The held view itself: the picture, widened by the turns and seen from so far behind the step's cell that every camera in it sees
+// nothing else. Nothing for parallel views, for those too wide to widen (some 80 degrees and more from the line of sight), and
 // without a step; fitHeld() is fitStable() there.
 std::optional<View> heldView(const View& view, double gridStep);
 
