@@ -19,9 +19,9 @@ FitResult fitStable(const FitInput& input);
 
 // For fits whose perspective follows the camera: the fit of a held view, which stays as it is while the camera moves within a
 // step of a grid (1/20 of the scene's diagonal) and turns within a step of 1/14 radian, and holds every such view. Between
-// steps the map does not change at all; at a step all of it does. Cells that follow the camera would move such maps with it: it is
-// for all of space. `fit` finds scratch.points filled with what the held view
-// sees, and no view samples, which would change from frame to frame.
+// steps the map does not change at all; at a step all of it does. Cells that follow the camera would move such maps with it:
+// it is for all of space. `fit` finds scratch.points filled with what the held view sees, and no view samples, which would
+// change from frame to frame.
 FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&));
 
 // How deep a camera in the scene may ever see, whichever way it looks: between the view's near side and its far side, or the scene's
