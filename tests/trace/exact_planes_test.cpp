@@ -89,9 +89,16 @@ bool isOn(const NamedPlane& plane, const ViewSamples& samples, std::size_t i)
     return std::abs(dot(plane.normalWorld, p)) < 1e-6 && dot(plane.normalWorld, toDouble(samples.normal[i])) > 1 - 1e-6;
 }
 
+// A sample on a caster's edge but for the rounding of its position: 1/1000 lixel to one side it is lit, to the other it is not.
+bool isOnEdge(const Room& room, const FramePlan& plan, std::size_t region, const ViewSamples& samples, std::size_t i)
+{
+    const PlaneProbe probe = probeOnPlane(room.scene, plan, 0, region, room.light, samples, i, 1e-3);
+    return std::ranges::count(probe.exactBeside, probe.exactBeside.front()) < std::ssize(probe.exactBeside);
+}
+
 TEST(ExactPlanes, ShadowsOnThemAreExactAndTheirOwnMapsServeThem)
 {
-    std::size_t counted = 0, shadowed = 0;
+    std::size_t counted = 0, shadowed = 0, onEdge = 0;
     forEachCase(40, [&](Rng& rng) {
         std::size_t wrong = 0;
         const Room room(rng);
@@ -115,12 +122,15 @@ TEST(ExactPlanes, ShadowsOnThemAreExactAndTheirOwnMapsServeThem)
                 EXPECT_NEAR(lixel->y, std::floor(lixel->y) + 0.5, 0.01);
                 ++counted;
                 shadowed += exact[i] < 0.5f;
-                wrong += exact[i] != visibility.value[i];
+                if (exact[i] == visibility.value[i]) continue;
+                if (isOnEdge(room, plan, r, samples, i)) ++onEdge;
+                else ++wrong;
             }
         }
         EXPECT_EQ(wrong, 0u);
     });
-    std::printf("%zu samples, %zu in shadow\n", counted, shadowed);
+    std::printf("%zu samples, %zu in shadow, %zu wrong on a caster's edge\n", counted, shadowed, onEdge);
+    EXPECT_LE(onEdge, 1 + counted / 1'000'000);
     EXPECT_GT(counted, 100000u);
     EXPECT_GT(shadowed, 5000u);
 }
