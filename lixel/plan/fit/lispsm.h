@@ -19,6 +19,7 @@ namespace lixel {
 //            the factor 1 + k z, errors along the line go with (n + t)^2 (1 + k z)^2 / z; equal at z_n and z_f they give
 //            n = T a_f / (a_n - a_f) / sin(gamma)^2 with a = (1 + k z) / sqrt(z), T = t(z_f) - t(z_n). For parallel light, k = 0,
 //            this is the paper's n. Where light and line of sight align, n grows; beyond 8 times the body it is focused
+//   Stable   the map of a held view: see stable.h
 FitResult fitLispsm(const FitInput& input);
 
 // n for a line of sight; infinite where no perspective helps.
