@@ -81,6 +81,8 @@ TEST_F(RefusedInput, CommandsAndOptionsMustBeKnown)
     expectMention(refusal({"paint"}, kBadUsage), "\"paint\": no such command");
     expectMention(refusal({"--paint"}, kBadUsage), "lixel --help");
     expectMention(refusal({"render"}, kBadUsage), "SCENE");
+    for (const char* option : {"--axes", "--techniques"})
+        expectMention(refusal({"bench", option, "nonsense", "--json", "-"}, kBadUsage), "nonsense");
     expectMention(renderRefusal({"--paint"}, kBadUsage), "--paint");
     expectMention(renderRefusal({"room.obj"}, kBadUsage), "room.obj");
     expectMention(renderRefusal({"--size", "8x8", "--size", "9x9"}, kBadUsage), "--size");

@@ -2,10 +2,14 @@
 #include "lixel/plan/fit/stable.h"
 
 #include "lixel/plan/shadow_plan.h"
+#include "plan/host_cameras.h"
 #include "plan/ordinary_setups.h"
 #include "plan/receivers.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace lixel {
 namespace {
@@ -68,32 +72,18 @@ TEST_P(Crawl, MovingAndTurningTheCameraMovesTheMapByWholeLixels)
 INSTANTIATE_TEST_SUITE_P(Techniques, Crawl,
                          testing::Values("focused(stable)", "pssm(3,stable)+allocation=share", "uniform"));
 
-// Off-centre, rolled, of any format; up to the poles.
-View anyView(Rng& rng)
-{
-    const Vec3d eye = rng.inBox(10);
-    const double pitch = rng.uniform(-1.57, 1.57), yaw = rng.uniform(-4, 4), roll = rng.uniform(-4, 4);
-    const Vec3d forward{std::cos(pitch) * std::cos(yaw), std::sin(pitch), std::cos(pitch) * std::sin(yaw)};
-    const Vec3d level = normalized(cross(forward, {0, 1, 0}));
-    const Vec3d up = std::cos(roll) * cross(level, forward) + std::sin(roll) * level;
-    const double near = rng.logUniform(1e-3, 1);
-    View view = perspectiveView(eye, eye + forward, up, rng.uniform(0.05, 1.6), near, near * rng.logUniform(2, 1e4),
-                                rng.integer(1, 2000), 1000);
-    const Vec2d shift{rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5)};
-    for (int i = 0; i < 4; ++i) {
-        view.clipFromAnchored.m[0][i] += shift.x * view.clipFromAnchored.m[3][i];
-        view.clipFromAnchored.m[1][i] += shift.y * view.clipFromAnchored.m[3][i];
-    }
-    return view;
-}
-
+// Any place, turn, roll and format, off-centre and jittered. The far corners of oblique views may lie beyond infinity.
 TEST(HeldView, HoldsEveryViewThatItStandsFor)
 {
     int tried = 0;
     forEachCase(test::kCases, [&](Rng& rng) {
-        const View view = anyView(rng);
+        const test::Camera camera = test::anyCamera(rng, test::kLenses[rng.integer(0, 2)], false, rng.inBox(10), 10);
+        const View view = test::lixelView(camera);
         const auto held = heldView(view, rng.logUniform(1e-3, 5));
-        if (!held) return; // too wide
+        if (!held) {
+            EXPECT_GT(std::max({-camera.left, camera.right, -camera.bottom, camera.top}), std::tan(1.1));
+            return;
+        }
         ++tried;
         const auto worldFromClip = inverse(clipFromWorld(view));
         ASSERT_TRUE(worldFromClip);
@@ -105,7 +95,7 @@ TEST(HeldView, HoldsEveryViewThatItStandsFor)
             EXPECT_GE(c.z, -c.w);
         }
     });
-    EXPECT_GT(tried, test::scaled(test::kCases) * 9 / 10);
+    EXPECT_GT(tried, test::scaled(test::kCases) / 2);
 }
 
 TEST(HeldView, IsLittleWiderThanTheViewAndNotNearer)

@@ -89,10 +89,10 @@ bool isOn(const NamedPlane& plane, const ViewSamples& samples, std::size_t i)
     return std::abs(dot(plane.normalWorld, p)) < 1e-6 && dot(plane.normalWorld, toDouble(samples.normal[i])) > 1 - 1e-6;
 }
 
-// A sample on a caster's edge but for the rounding of its position: 1/1000 lixel to one side it is lit, to the other it is not.
+// A sample on a caster's edge but for the rounding of its position: 1e-4 lixel to one side it is lit, to the other it is not.
 bool isOnEdge(const Room& room, const FramePlan& plan, std::size_t region, const ViewSamples& samples, std::size_t i)
 {
-    const PlaneProbe probe = probeOnPlane(room.scene, plan, 0, region, room.light, samples, i, 1e-3);
+    const PlaneProbe probe = probeOnPlane(room.scene, plan, 0, region, room.light, samples, i, 1e-4);
     return std::ranges::count(probe.exactBeside, probe.exactBeside.front()) < std::ssize(probe.exactBeside);
 }
 

@@ -98,12 +98,11 @@ std::optional<Sphere> sphereAround(const FitInput& input)
     return sphere;
 }
 
-Vec3d snapped(Vec3d p, double step)
-{
-    return {step * std::round(p.x / step), step * std::round(p.y / step), step * std::round(p.z / step)};
-}
+double snapped(double x, double step) { return step * std::round(x / step); }
 
-// How a camera is turned, on a grid of angles: yaw, then pitch, then roll about the line of sight.
+Vec3d snapped(Vec3d p, double step) { return {snapped(p.x, step), snapped(p.y, step), snapped(p.z, step)}; }
+
+// How a camera is turned, on a grid of angles about the world's y axis: yaw, then pitch, then roll about the line of sight.
 struct Turn
 {
     Vec3d forward, up;
@@ -116,14 +115,13 @@ Turn snappedTurn(Vec3d forward, Vec3d right)
     const Vec3d level = rightOfUpright(yaw);
     const double roll = std::atan2(dot(right, cross(level, forward)), dot(right, level));
 
-    const auto onGrid = [](double angle) { return kTurnStep * std::round(angle / kTurnStep); };
-    const double y = onGrid(yaw), p = onGrid(pitch), r = onGrid(roll);
+    const double y = snapped(yaw, kTurnStep), p = snapped(pitch, kTurnStep), r = snapped(roll, kTurnStep);
     const Vec3d f{std::cos(p) * std::sin(y), std::sin(p), std::cos(p) * std::cos(y)};
     return {f, std::cos(r) * cross(rightOfUpright(y), f) - std::sin(r) * rightOfUpright(y)};
 }
 
 // How far a picture's corners are from its line of sight, to the side and upwards: radians, rounded up so that jitter of a part
-// of a pixel does not change them.
+// of a pixel changes them seldom.
 struct HalfAngles
 {
     double side = 0, up = 0;
@@ -142,7 +140,8 @@ HalfAngles halfAngles(const std::array<Vec3d, 4>& fromEye, Vec3d forward, Vec3d 
 }
 
 // Those of a picture that still holds the other when they are turned apart by half a step of yaw and pitch, whose axes are at right
-// angles, and of roll. A side plane tilted by t moves directions at an angle e above its middle out by asin(sin t cos e) only.
+// angles, and of roll. A side plane tilted by t lets in directions at an angle e above its middle by asin(sin t cos e) only, so it is
+// tilted by asin(sin(turn) / cos e).
 HalfAngles widened(const HalfAngles& half)
 {
     const double corner = std::atan(std::hypot(std::tan(half.side), std::tan(half.up)));

@@ -18,10 +18,16 @@ namespace lixel {
 FitResult fitStable(const FitInput& input);
 
 // For fits whose perspective follows the camera: the fit of a held view, which stays as it is while the camera moves within a
-// step of a grid (1/20 of the scene's diagonal) and turns within a step of 1/14 radian, and holds every such view. Between
-// steps the map does not change at all; at a step all of it does. Cells that follow the camera would move such maps with it:
-// it is for all of space. `fit` finds scratch.points filled with what the held view sees, and no view samples, which would
-// change from frame to frame.
+// step of a grid (1/20 of the scene's diagonal) and turns within a step of 1/14 radian of yaw, pitch and roll, as long as the
+// view's opening and near side stay, and holds every such view. At a step all of the map changes. Cells that follow the camera
+// would move such maps with it: it is for all of space. `fit` finds scratch.points filled with what the held view sees, and no view
+// samples, which would change from frame to frame.
+//
+//   Refuses  as the fit of the held view, which sees more than the camera
+//   Limits   a camera that sways across a border of steps changes the map each time. Borders are where views often are: angles
+//            are about the world's y axis, so a camera that looks along it crosses steps with every small turn, one that looks
+//            exactly along -z stands between two; so does an opening of a multiple of 1/256 radian, jitter on one near it, and a near side
+//            at a power of two
 FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&));
 
 // How deep a camera in the scene may ever see, whichever way it looks: between the view's near side and its far side, or the scene's
@@ -30,8 +36,8 @@ FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&));
 DepthSpan stableDepths(const FitInput& input);
 
 // The held view itself: the picture, widened by the turns and seen from so far behind the step's cell that every camera in it sees
-// nothing else. Nothing for parallel views, for those too wide to widen (some 80 degrees and more from the line of sight), and
-// without a step; fitHeld() is fitStable() there.
+// nothing else. Nothing for parallel views, for those too wide to widen (some 68 degrees of square pictures, 81 of flat ones, from
+// the line of sight to a side), and without a step; fitHeld() is fitStable() there.
 std::optional<View> heldView(const View& view, double gridStep);
 
 } // namespace lixel
