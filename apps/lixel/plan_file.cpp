@@ -138,8 +138,7 @@ nlohmann::json toJson(const PlannedRegion& region, Vec3d originWorld)
 
 std::vector<GivenLight> readPlanFile(const std::string& path, bool needsRectangles)
 {
-    const std::vector<std::byte> bytes = readInputFile(path);
-    const nlohmann::json json = parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
+    const nlohmann::json json = parseJson(readJsonFile(path), path);
     const JsonPlace root(json, "", path);
     root.expectMembers({"convention", "lights"});
     const auto conventionPlace = root.find("convention");

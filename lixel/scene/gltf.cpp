@@ -13,7 +13,7 @@
 
 namespace lixel {
 
-Scene loadGltf(std::span<const std::byte> bytes, const std::string& name, const std::string& baseDirectory)
+Scene loadGltf(InputBytes& bytes, const std::string& name, const std::string& baseDirectory)
 {
     try {
         gltf::File file(bytes, name, baseDirectory);

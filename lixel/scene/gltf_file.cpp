@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/scene/gltf_file.h"
 
-#include "lixel/scene/input_file.h"
 #include "lixel/scene/uri.h"
 
 #include <fmt/format.h>
@@ -15,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostUnpackedBytes = std::size_t(2) << 30;
 constexpr std::size_t kMostBytesFromNothing = std::size_t(256) << 20;
+constexpr std::size_t kMostViewBytes = std::size_t(4) << 30;
 constexpr std::size_t kMostOffset = std::size_t(1) << 40;
 constexpr int kMostJsonDepth = 64;
 
@@ -34,6 +34,13 @@ bool startsWithMagic(std::span<const std::byte> bytes)
     return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
 }
 
+std::vector<std::byte> dataOf(const JsonAt& uri)
+{
+    auto bytes = decodeDataUri(uri.text());
+    if (!bytes) uri.refuse("expected base64 after 'data:...;base64,'");
+    return *std::move(bytes);
+}
+
 // "line 3, column 7" of a byte of the text, both counted from 1.
 std::string linePlace(std::string_view text, std::size_t byte)
 {
@@ -46,48 +53,55 @@ std::string linePlace(std::string_view text, std::size_t byte)
 
 } // namespace
 
-File::File(std::span<const std::byte> bytes, std::string name, std::string baseDirectory)
-    : name_(std::move(name)), baseDirectory_(std::move(baseDirectory))
+File::File(InputBytes& bytes, std::string name, std::string baseDirectory)
+    : bytes_(bytes), name_(std::move(name)), baseDirectory_(std::move(baseDirectory))
 {
-    if (bytes.empty()) refuse(name_, "", "is empty");
-    parseJson(startsWithMagic(bytes) ? splitGlb(bytes) : bytes);
+    if (bytes_.size() == 0) refuse(name_, "", "is empty");
+    const bool isGlb = startsWithMagic(bytes_.read(0, std::min<std::size_t>(bytes_.size(), 4)));
+    parseJson(isGlb ? splitGlb() : Range{0, bytes_.size()});
     checkVersionAndExtensions();
     loadBuffers();
     loadViews();
 }
 
-// Section 4.4: a header of 12 bytes, then chunks; the first is JSON, the second, if any, the binary buffer.
-std::span<const std::byte> File::splitGlb(std::span<const std::byte> bytes)
+// Section 4.4: a header of 12 bytes, then chunks; the first is JSON, the second, if any, the binary buffer; others mean nothing.
+File::Range File::splitGlb()
 {
     constexpr std::uint32_t kJson = 0x4e4f534a, kBin = 0x004e4942;
-    if (bytes.size() < 20) refuse(name_, "GLB header", fmt::format("expected 20 bytes, found {}", bytes.size()));
-    if (const std::uint32_t version = littleEndian32(bytes.subspan(4)); version != 2)
+    if (bytes_.size() < 20) refuse(name_, "GLB header", fmt::format("expected 20 bytes, found {}", bytes_.size()));
+    const std::vector<std::byte> header = bytes_.read(0, 12);
+    if (const std::uint32_t version = littleEndian32(std::span(header).subspan(4)); version != 2)
         refuse(name_, "GLB header", fmt::format("expected version 2, found {}", version));
-    const std::size_t length = littleEndian32(bytes.subspan(8));
-    if (length > bytes.size() || length < 20)
+    const std::size_t length = littleEndian32(std::span(header).subspan(8));
+    if (length > bytes_.size() || length < 20)
         refuse(name_, "GLB header",
-               fmt::format("expected {} bytes in all, found {}: is the file truncated?", length, bytes.size()));
+               fmt::format("expected {} bytes in all, found {}: is the file truncated?", length, bytes_.size()));
 
-    std::span<const std::byte> rest = bytes.subspan(12, length - 12), json;
-    for (int chunk = 0; rest.size() >= 8; ++chunk) {
-        const std::size_t size = littleEndian32(rest);
-        const std::uint32_t type = littleEndian32(rest.subspan(4));
-        if (size > rest.size() - 8)
+    Range json;
+    std::size_t at = 12;
+    for (int chunk = 0; chunk < 2 && length - at >= 8; ++chunk) {
+        const std::vector<std::byte> head = bytes_.read(at, 8);
+        const std::size_t size = littleEndian32(head);
+        const std::uint32_t type = littleEndian32(std::span(head).subspan(4));
+        at += 8;
+        if (size > length - at)
             refuse(name_, fmt::format("GLB chunk {}", chunk),
-                   fmt::format("expected {} bytes, found {}", size, rest.size() - 8));
+                   fmt::format("expected {} bytes, found {}", size, length - at));
         if (chunk == 0 && type != kJson) refuse(name_, "GLB chunk 0", "expected JSON");
-        if (chunk == 0) json = rest.subspan(8, size);
-        if (chunk == 1 && type == kBin) bin_ = rest.subspan(8, size);
-        rest = rest.subspan(8 + size);
+        if (chunk == 0) json = {at, size};
+        if (chunk == 1 && type == kBin) bin_ = {at, size};
+        at += size;
     }
     return json;
 }
 
-void File::parseJson(std::span<const std::byte> bytes)
+void File::parseJson(Range range)
 {
-    std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    constexpr std::string_view kExpected = "expected glTF: a GLB file, or JSON in UTF-8";
+    const std::string all = readJsonText(bytes_, range.offset, range.size, name_, kExpected);
+    std::string_view text = all;
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3); // a byte order mark
-    if (!isUtf8(text)) refuse(name_, "", "expected glTF: a GLB file, or JSON in UTF-8");
+    if (!isUtf8(text)) refuse(name_, "", kExpected);
     const nlohmann::json::parser_callback_t limitDepth = [&](int depth, nlohmann::json::parse_event_t,
                                                              nlohmann::json&) {
         if (depth > kMostJsonDepth) refuse(name_, "JSON", fmt::format("expected at most {} levels", kMostJsonDepth));
@@ -124,34 +138,59 @@ void File::loadBuffers()
         const JsonAt buffer = element("buffers", int(i));
         const JsonAt byteLength = buffer.require("byteLength");
         const std::size_t length = byteLength.integer(1, kMostOffset);
-        std::span<const std::byte> bytes;
         if (const auto uri = buffer.find("uri")) {
-            ownBuffers_.push_back(readUri(*uri));
-            bytes = ownBuffers_.back();
-            spend(bytes.size(), buffer);
+            buffers_.push_back(openBuffer(*uri));
+            spend(buffers_.back().inUri.size(), buffer);
         } else {
-            if (i > 0 || bin_.empty()) buffer.refuse("expected a 'uri', or to be the binary chunk of a GLB file");
-            bytes = bin_;
+            if (i > 0 || bin_.size == 0) buffer.refuse("expected a 'uri', or to be the binary chunk of a GLB file");
+            buffers_.push_back({bin_.size, bin_.offset, {}, {}});
         }
-        if (length > bytes.size())
-            byteLength.refuse(fmt::format("expected at most {}, the bytes that are there", bytes.size()));
-        buffers_.push_back(bytes.first(length));
+        std::size_t& there = buffers_.back().length;
+        if (length > there) byteLength.refuse(fmt::format("expected at most {}, the bytes that are there", there));
+        there = length;
     }
+}
+
+File::Buffer File::openBuffer(const JsonAt& uri) const
+{
+    Buffer buffer;
+    if (isDataUri(uri.text())) {
+        buffer.inUri = dataOf(uri);
+        buffer.length = buffer.inUri.size();
+    } else {
+        buffer.beside = openNeighbour(baseDirectory_, pathOf(uri), name_, uri.place());
+        buffer.length = buffer.beside->size();
+    }
+    return buffer;
 }
 
 void File::loadViews()
 {
     for (std::size_t i = 0; i < count("bufferViews"); ++i) {
         const JsonAt view = element("bufferViews", int(i));
-        const std::span<const std::byte> buffer =
-            buffers_.at(std::size_t(view.require("buffer").index(buffers_.size(), "buffers")));
+        const auto buffer = std::size_t(view.require("buffer").index(buffers_.size(), "buffers"));
+        const std::size_t there = buffers_[buffer].length;
         const std::size_t offset = view.integerOr("byteOffset", 0, 0, kMostOffset);
         const std::size_t length = view.require("byteLength").integer(1, kMostOffset);
-        if (offset + length > buffer.size())
-            view.refuse(fmt::format("expected bytes {} to {} within the {} of its buffer", offset, offset + length,
-                                    buffer.size()));
-        views_.push_back({buffer.subspan(offset, length), view.integerOr("byteStride", 0, 4, 252)});
+        if (offset + length > there)
+            view.refuse(
+                fmt::format("expected bytes {} to {} within the {} of its buffer", offset, offset + length, there));
+        views_.push_back({buffer, {offset, length}, view.integerOr("byteStride", 0, 4, 252), {}});
     }
+}
+
+BufferView File::view(int i)
+{
+    View& view = views_[std::size_t(i)];
+    Buffer& buffer = buffers_[view.buffer];
+    const auto [offset, size] = view.range;
+    if (!buffer.inUri.empty()) return {std::span(buffer.inUri).subspan(offset, size), view.stride};
+    if (view.bytes.empty()) {
+        if (size > kMostViewBytes - read_) element("bufferViews", i).refuse("expected at most 4 GiB of buffer views");
+        read_ += size;
+        view.bytes = buffer.beside ? buffer.beside->read(offset, size) : bytes_.read(buffer.inGlb + offset, size);
+    }
+    return {view.bytes, view.stride};
 }
 
 std::size_t File::count(const char* array) const
@@ -162,16 +201,17 @@ std::size_t File::count(const char* array) const
 
 JsonAt File::element(const char* array, int i) const { return root().require(array)[std::size_t(i)]; }
 
-std::vector<std::byte> File::readUri(const JsonAt& uri) const
+std::vector<std::byte> File::readImage(const JsonAt& uri) const
 {
-    if (isDataUri(uri.text())) {
-        auto bytes = decodeDataUri(uri.text());
-        if (!bytes) uri.refuse("expected base64 after 'data:...;base64,'");
-        return *std::move(bytes);
-    }
-    const auto path = percentDecoded(uri.text());
+    if (isDataUri(uri.text())) return dataOf(uri);
+    return readImageNeighbour(baseDirectory_, pathOf(uri), name_, uri.place());
+}
+
+std::string File::pathOf(const JsonAt& uri) const
+{
+    auto path = percentDecoded(uri.text());
     if (!path) uri.refuse("expected two hexadecimal digits after each '%'");
-    return readNeighbour(baseDirectory_, *path, name_, uri.place());
+    return *std::move(path);
 }
 
 void File::spend(std::size_t bytes, const JsonAt& where)

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "lixel/scene/gltf_json.h"
+#include "lixel/scene/input_file.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,8 +19,8 @@ struct BufferView
     std::size_t stride = 0; // 0: elements lie side by side
 };
 
-// A glTF 2.0 file taken apart: its JSON, and its buffers with their views, all within bounds. Each later stage
-// (accessors, materials, meshes, nodes, animations) reads from this.
+// A glTF 2.0 file taken apart: its JSON, and its buffers with their views, all within bounds; a view is read when it is first
+// asked for. Each later stage (accessors, materials, meshes, nodes, animations) reads from this.
 //
 //   Khronos Group. glTF 2.0 Specification, version 2.0.1. Sections 3.6 (binary data) and 4 (GLB).
 //
@@ -29,7 +30,7 @@ class File
 {
 public:
     // `bytes` must outlive this. Throws InputError.
-    File(std::span<const std::byte> bytes, std::string name, std::string baseDirectory);
+    File(InputBytes& bytes, std::string name, std::string baseDirectory);
     File(const File&) = delete;
     File& operator=(const File&) = delete;
 
@@ -40,10 +41,11 @@ public:
     std::size_t count(const char* array) const;
     JsonAt element(const char* array, int i) const;
 
-    BufferView view(int i) const { return views_[std::size_t(i)]; }
+    // Valid while the file is.
+    BufferView view(int i);
 
-    // The bytes behind a URI: inside it (base64), or of a file beside this one.
-    std::vector<std::byte> readUri(const JsonAt& uri) const;
+    // The bytes of an image behind a URI: inside it (base64), or of a file beside this one.
+    std::vector<std::byte> readImage(const JsonAt& uri) const;
 
     // Counts what is unpacked, so that a small file cannot ask for endless memory: shared accessors, many references.
     void spend(std::size_t bytes, const JsonAt& where);
@@ -53,19 +55,43 @@ public:
     std::vector<std::string> warnings;
 
 private:
-    std::span<const std::byte> splitGlb(std::span<const std::byte> bytes);
-    void parseJson(std::span<const std::byte> bytes);
+    struct Range
+    {
+        std::size_t offset = 0, size = 0;
+    };
+
+    // Where the bytes of a buffer are: in the GLB, in a URI, or in a file beside this one.
+    struct Buffer
+    {
+        std::size_t length = 0;
+        std::size_t inGlb = 0; // offset
+        std::vector<std::byte> inUri;
+        std::optional<InputBytes> beside;
+    };
+
+    struct View
+    {
+        std::size_t buffer = 0;
+        Range range;
+        std::size_t stride = 0;
+        std::vector<std::byte> bytes; // empty: not read yet
+    };
+
+    Range splitGlb();
+    void parseJson(Range range);
     void checkVersionAndExtensions() const;
     void loadBuffers();
+    Buffer openBuffer(const JsonAt& uri) const;
     void loadViews();
+    std::string pathOf(const JsonAt& uri) const;
 
+    InputBytes& bytes_;
     std::string name_, baseDirectory_;
     nlohmann::json json_;
-    std::span<const std::byte> bin_;
-    std::deque<std::vector<std::byte>> ownBuffers_;
-    std::vector<std::span<const std::byte>> buffers_;
-    std::vector<BufferView> views_;
-    std::size_t spent_ = 0, spentOnNothing_ = 0;
+    Range bin_;
+    std::vector<Buffer> buffers_;
+    std::vector<View> views_;
+    std::size_t read_ = 0, spent_ = 0, spentOnNothing_ = 0;
 };
 
 } // namespace lixel::gltf

@@ -58,7 +58,7 @@ private:
         std::vector<std::byte> own;
         std::span<const std::byte> bytes;
         if (const auto uri = image.find("uri")) {
-            own = file_.readUri(*uri);
+            own = file_.readImage(*uri);
             bytes = own;
         } else {
             bytes = file_.view(image.require("bufferView").index(file_.count("bufferViews"), "bufferViews")).bytes;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/scene/input_file.h"
 
+#include "lixel/base/assert.h"
 #include "lixel/scene/load.h"
 
 #include <fmt/format.h>
@@ -9,7 +10,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <system_error>
 
@@ -17,6 +17,9 @@ namespace lixel {
 namespace {
 
 constexpr std::uintmax_t kMostFileBytes = std::uintmax_t(4) << 30;
+constexpr std::size_t kMostJsonBytes = std::size_t(256) << 20;
+constexpr std::size_t kMostImageBytes = std::size_t(512) << 20;
+constexpr std::size_t kBlockBytes = std::size_t(1) << 20; // of text, read at a time
 
 // Length of the UTF-8 sequence that starts at `text`, 0 where there is none (RFC 3629: no overlong forms, no
 // surrogates).
@@ -38,6 +41,11 @@ std::size_t sequenceLength(std::string_view text)
         return isTail(1) && isTail(2) && isTail(3) && !isOverlong && !isBeyond ? 4 : 0;
     }
     return 0;
+}
+
+[[noreturn]] void refuseUnreadable(const std::string& path)
+{
+    refuse(path, "", fmt::format("cannot be read: {}", errno ? std::strerror(errno) : "unexpected end of file"));
 }
 
 } // namespace
@@ -74,7 +82,7 @@ bool isUtf8(std::string_view text)
 
 std::string sceneName(const std::string& path) { return printable(std::filesystem::path(path).stem().string()); }
 
-std::vector<std::byte> readInputFile(const std::string& path, std::size_t most)
+InputBytes::InputBytes(const std::string& path) : path_(path)
 {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
@@ -87,18 +95,65 @@ std::vector<std::byte> readInputFile(const std::string& path, std::size_t most)
     if (error) refuse(path, "", "cannot be read: " + error.message());
     if (size == 0) refuse(path, "", "is empty");
     if (size > kMostFileBytes) refuse(path, "", "expected at most 4 GiB");
+    size_ = std::size_t(size);
 
     errno = 0;
-    std::ifstream stream(path, std::ios::binary);
-    std::vector<std::byte> bytes(stream ? std::min(std::size_t(size), most) : 0);
+    stream_.open(path, std::ios::binary);
+    if (!stream_) refuseUnreadable(path);
+}
+
+std::vector<std::byte> InputBytes::read(std::size_t offset, std::size_t count)
+{
+    LX_ASSERT(offset <= size_ && count <= size_ - offset);
+    if (path_.empty()) {
+        const auto part = memory_.subspan(offset, count);
+        return {part.begin(), part.end()};
+    }
+    errno = 0;
+    std::vector<std::byte> bytes(count);
     // The file's bytes are read as what they are; std::byte and char may alias anything.
-    if (!stream || !stream.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size())))
-        refuse(path, "", fmt::format("cannot be read: {}", errno ? std::strerror(errno) : "unexpected end of file"));
+    if (!stream_.seekg(std::streamoff(offset)) ||
+        !stream_.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(count)))
+        refuseUnreadable(path_);
     return bytes;
 }
 
-std::vector<std::byte> readNeighbour(const std::string& baseDirectory, const std::string& relative,
-                                     const std::string& file, const std::string& place)
+std::string InputBytes::readText(std::size_t offset, std::size_t count, const std::string& file,
+                                 std::string_view expected)
+{
+    std::string text;
+    while (text.size() < count) {
+        const std::vector<std::byte> block = read(offset + text.size(), std::min(kBlockBytes, count - text.size()));
+        if (std::find(block.begin(), block.end(), std::byte{0}) != block.end()) refuse(file, "", expected);
+        text.append(reinterpret_cast<const char*>(block.data()), block.size());
+    }
+    return text;
+}
+
+std::vector<std::byte> readInputFile(const std::string& path)
+{
+    InputBytes bytes(path);
+    return bytes.read(0, bytes.size());
+}
+
+std::string readJsonFile(const std::string& path)
+{
+    InputBytes bytes(path);
+    return readJsonText(bytes, 0, bytes.size(), path, "expected JSON text, found a zero byte");
+}
+
+std::string readJsonText(InputBytes& bytes, std::size_t offset, std::size_t count, const std::string& file,
+                         std::string_view expected)
+{
+    if (count > kMostJsonBytes) {
+        bytes.readText(offset, kBlockBytes, file, expected); // says more, where it is no text at all
+        refuse(file, "", "expected at most 256 MiB of JSON");
+    }
+    return bytes.readText(offset, count, file, expected);
+}
+
+InputBytes openNeighbour(const std::string& baseDirectory, const std::string& relative, const std::string& file,
+                         const std::string& place)
 {
     const std::string shown = printable(relative);
     for (const char c : relative)
@@ -110,10 +165,19 @@ std::vector<std::byte> readNeighbour(const std::string& baseDirectory, const std
     if (baseDirectory.empty())
         refuse(file, place, fmt::format("needs the file '{}', which is not at hand here", shown));
     try {
-        return readInputFile((std::filesystem::path(baseDirectory) / relative).string());
+        return InputBytes((std::filesystem::path(baseDirectory) / relative).string());
     } catch (const InputError& problem) {
         refuse(file, place, problem.what());
     }
+}
+
+std::vector<std::byte> readImageNeighbour(const std::string& baseDirectory, const std::string& relative,
+                                          const std::string& file, const std::string& place)
+{
+    InputBytes bytes = openNeighbour(baseDirectory, relative, file, place);
+    if (bytes.size() > kMostImageBytes)
+        refuse(file, place, fmt::format("expected an image file of at most 512 MiB, found '{}'", printable(relative)));
+    return bytes.read(0, bytes.size());
 }
 
 } // namespace lixel

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <fstream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,11 +22,39 @@ bool isUtf8(std::string_view text);
 // The last part of a path without its ending, as valid UTF-8.
 std::string sceneName(const std::string& path);
 
-// A regular file, which must not be empty: the whole of it, or its first `most` bytes.
-std::vector<std::byte> readInputFile(const std::string& path, std::size_t most = std::size_t(-1));
+// Bytes of memory or of a file that are read when they are asked for, so that gigabytes behind a wrong start are never read.
+class InputBytes
+{
+public:
+    explicit InputBytes(std::span<const std::byte> memory) : size_(memory.size()), memory_(memory) {}
+    explicit InputBytes(const std::string& path); // a regular file of 1 byte to 4 GiB
 
-// A file that another one names, beside it. Absolute names, and any name where `baseDirectory` is empty, are refused.
-std::vector<std::byte> readNeighbour(const std::string& baseDirectory, const std::string& relative,
-                                     const std::string& file, const std::string& place);
+    std::size_t size() const { return size_; }
+
+    // `offset + count` is at most size(). Throws InputError where the file cannot be read.
+    std::vector<std::byte> read(std::size_t offset, std::size_t count);
+
+    // The same as text, read up to the first zero byte; one there is refused with `expected`.
+    std::string readText(std::size_t offset, std::size_t count, const std::string& file, std::string_view expected);
+
+private:
+    std::size_t size_ = 0;
+    std::span<const std::byte> memory_;
+    std::string path_;
+    std::ifstream stream_;
+};
+
+// The whole of a file; of JSON, at most 256 MiB.
+std::vector<std::byte> readInputFile(const std::string& path);
+std::string readJsonFile(const std::string& path);
+std::string readJsonText(InputBytes& bytes, std::size_t offset, std::size_t count, const std::string& file,
+                         std::string_view expected);
+
+// A file that another one names, beside it: its bytes; an image's, at most 512 MiB. Absolute names, and any name where
+// `baseDirectory` is empty, are refused.
+InputBytes openNeighbour(const std::string& baseDirectory, const std::string& relative, const std::string& file,
+                         const std::string& place);
+std::vector<std::byte> readImageNeighbour(const std::string& baseDirectory, const std::string& relative,
+                                          const std::string& file, const std::string& place);
 
 } // namespace lixel

@@ -43,31 +43,29 @@ std::optional<Format> formatByContent(std::string_view text)
     return std::nullopt;
 }
 
-// Before gigabytes are read: what is neither GLB nor JSON, or no text, shows it at once. The readers say more about a file
-// that is read whole.
-void refuseOtherContent(const std::string& path, Format format, std::string_view start)
-{
-    if (format == Format::Obj && start.find('\0') != start.npos)
-        refuse(path, "", "expected OBJ text, found a zero byte");
-    const std::size_t first = start.find_first_not_of(kBlank);
-    if (format == Format::Gltf && first != start.npos && start[first] != '{' && !start.starts_with("glTF"))
-        refuse(path, "", "expected glTF: a GLB file, or JSON in UTF-8");
-}
-
 } // namespace
 
 Scene loadScene(const std::string& path)
 {
-    const std::vector<std::byte> start = readInputFile(path, kStartBytes);
+    InputBytes bytes(path);
     auto format = formatByEnding(path);
-    if (!format) format = formatByContent(asText(start));
+    if (!format) format = formatByContent(asText(bytes.read(0, std::min(bytes.size(), kStartBytes))));
     if (!format) refuse(path, "", "expected a glTF (.gltf, .glb) or OBJ (.obj) file");
-    if (start.size() == kStartBytes) refuseOtherContent(path, *format, asText(start));
-
-    const std::vector<std::byte> bytes = readInputFile(path);
     std::string baseDirectory = std::filesystem::path(path).parent_path().string();
     if (baseDirectory.empty()) baseDirectory = ".";
-    return *format == Format::Gltf ? loadGltf(bytes, path, baseDirectory) : loadObj(asText(bytes), path, baseDirectory);
+    return *format == Format::Gltf ? loadGltf(bytes, path, baseDirectory) : loadObj(bytes, path, baseDirectory);
+}
+
+Scene loadGltf(std::span<const std::byte> bytes, const std::string& name, const std::string& baseDirectory)
+{
+    InputBytes input(bytes);
+    return loadGltf(input, name, baseDirectory);
+}
+
+Scene loadObj(std::string_view text, const std::string& name, const std::string& baseDirectory)
+{
+    InputBytes input(std::as_bytes(std::span(text)));
+    return loadObj(input, name, baseDirectory);
 }
 
 } // namespace lixel

@@ -167,9 +167,10 @@ obj::Materials readMaterials(const obj::CheckedText& checked, const std::string&
     for (const std::string& names : checked.materialFiles)
         for (const std::string& file : fileNames(names, baseDirectory)) {
             try {
-                const std::vector<std::byte> bytes = readNeighbour(baseDirectory, file, name, "mtllib");
-                const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-                obj::readMtl(text, printable(file), baseDirectory, scene, materials);
+                InputBytes bytes = openNeighbour(baseDirectory, file, name, "mtllib");
+                const std::string shown = printable(file);
+                const std::string text = bytes.readText(0, bytes.size(), shown, "expected MTL text, found a zero byte");
+                obj::readMtl(text, shown, baseDirectory, scene, materials);
             } catch (const InputError& problem) {
                 scene.warnings.push_back(fmt::format("{}; its materials are grey", problem.what()));
             }
@@ -179,10 +180,10 @@ obj::Materials readMaterials(const obj::CheckedText& checked, const std::string&
 
 } // namespace
 
-Scene loadObj(std::string_view text, const std::string& name, const std::string& baseDirectory)
+Scene loadObj(InputBytes& bytes, const std::string& name, const std::string& baseDirectory)
 {
     try {
-        const obj::CheckedText checked = obj::checkObj(text, name);
+        const obj::CheckedText checked = obj::checkObj(bytes, name);
         Scene scene;
         scene.name = sceneName(name);
         const obj::Materials materials = readMaterials(checked, name, baseDirectory, scene);

@@ -53,7 +53,7 @@ private:
         std::replace(name.begin(), name.end(), '\\', '/');
         try {
             // vt = 0 is the last row of the file, and row 0 of Texture.
-            return decodeImage(readNeighbour(baseDirectory_, name, file_, "map"), RowOrder::FileLast, file_,
+            return decodeImage(readImageNeighbour(baseDirectory_, name, file_, "map"), RowOrder::FileLast, file_,
                                printable(name));
         } catch (const InputError& problem) {
             scene_.warnings.push_back(fmt::format("{}; left out", problem.what()));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/scene/obj_text.h"
 
-#include "lixel/scene/input_file.h"
-
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 namespace lixel::obj {
@@ -36,6 +36,50 @@ std::optional<double> asNumber(std::string_view word)
     if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
     return std::abs(value) <= kMostCoordinate ? std::optional(value) : std::nullopt;
 }
+
+// Cuts text that comes in blocks into lines. One that ends in a backslash goes on with the next; its number is its first line's.
+class Lines
+{
+public:
+    explicit Lines(std::function<void(std::string_view, int)> each) : each_(std::move(each)) {}
+
+    void add(std::string_view block)
+    {
+        while (!block.empty()) {
+            if (afterReturn_ && block.front() == '\n') block.remove_prefix(1);
+            afterReturn_ = false;
+            const std::size_t end = std::min(block.find_first_of("\r\n"), block.size());
+            line_ += block.substr(0, end);
+            block.remove_prefix(end);
+            if (block.empty()) return;
+            afterReturn_ = block.front() == '\r';
+            block.remove_prefix(1);
+            ++number_;
+            if (line_.ends_with('\\')) line_.back() = ' ';
+            else give();
+        }
+    }
+
+    void finish()
+    {
+        if (line_.empty()) return;
+        ++number_;
+        give();
+    }
+
+private:
+    void give()
+    {
+        line_.erase(line_.find_last_not_of(" \t") + 1); // names must not end in spaces
+        each_(line_, firstNumber_);
+        line_.clear(), firstNumber_ = number_ + 1;
+    }
+
+    std::function<void(std::string_view, int)> each_;
+    std::string line_;
+    int number_ = 0, firstNumber_ = 1;
+    bool afterReturn_ = false; // a line feed may still belong to it
+};
 
 class Checker
 {
@@ -130,31 +174,24 @@ private:
 
 } // namespace
 
-CheckedText checkObj(std::string_view text, const std::string& file)
+CheckedText checkObj(InputBytes& bytes, const std::string& file)
 {
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    if (text.empty()) refuse(file, "", "is empty");
-    if (text.find('\0') != text.npos) refuse(file, "", "expected OBJ text, found a zero byte");
-
-    Checker checker(file);
+    constexpr std::size_t kBlockBytes = std::size_t(1) << 20;
     CheckedText checked;
-    std::string line; // with the lines it is continued on
-    int number = 0, firstNumber = 1;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-        line += text.substr(0, end);
-        text.remove_prefix(end);
-        text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text.size()));
-        ++number;
-        if (line.ends_with('\\') && !text.empty()) {
-            line.back() = ' ';
-            continue;
-        }
-        line.erase(line.find_last_not_of(" \t") + 1); // names must not end in spaces
-        checker.line(line, firstNumber);
-        checked.text += line + '\n';
-        line.clear(), firstNumber = number + 1;
+    Checker checker(file);
+    Lines lines([&](std::string_view line, int number) {
+        checker.line(line, number);
+        checked.text.append(line) += '\n';
+    });
+    for (std::size_t at = 0; at < bytes.size(); at += kBlockBytes) {
+        const std::string block =
+            bytes.readText(at, std::min(kBlockBytes, bytes.size() - at), file, "expected OBJ text, found a zero byte");
+        std::string_view text = block;
+        if (at == 0 && text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+        lines.add(text);
     }
+    lines.finish();
+    if (checked.text.empty()) refuse(file, "", "is empty");
     checker.finish();
     checked.materialFiles = std::move(checker.materialFiles);
     return checked;

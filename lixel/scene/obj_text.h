@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lixel/scene/input_file.h"
+
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace lixel::obj {
@@ -15,7 +16,7 @@ struct CheckedText
 };
 
 // tinyobjloader reads "nan" as 0, lets large indices wrap and knows no lines; so each line of v, vt, vn and f is judged
-// before: numbers finite and up to 1e30, indices within what the file has. Throws InputError with the line.
-CheckedText checkObj(std::string_view text, const std::string& file);
+// before: numbers finite and up to 1e30, indices within what the file has. Throws InputError with the line, before the rest is read.
+CheckedText checkObj(InputBytes& bytes, const std::string& file);
 
 } // namespace lixel::obj

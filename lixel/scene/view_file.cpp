@@ -190,11 +190,7 @@ std::vector<Light> readLights(const JsonPlace& file)
     return lights;
 }
 
-ViewFile readViewFile(const std::string& path)
-{
-    const std::vector<std::byte> bytes = readInputFile(path);
-    return parseViewFile({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
-}
+ViewFile readViewFile(const std::string& path) { return parseViewFile(readJsonFile(path), path); }
 
 ViewFile parseViewFile(std::string_view text, const std::string& name)
 {

@@ -201,6 +201,36 @@ TEST_F(RefusedInput, GigabytesOfNothingAreNotReadFirst)
         fs::resize_file(folder_.path() / name, std::uintmax_t(3) << 30);
         expectMention(refusal({"render", std::string("./") + name, "-o", "a.png"}, kBadInput), name);
     }
+    // A start that is right, gigabytes of nothing behind it.
+    const std::string json = R"({"asset": {"version": "2.0"}})";
+    const auto glb = [&](std::uint32_t length, std::uint32_t jsonSize, const std::string& text) {
+        std::string bytes = "glTF";
+        for (const std::uint32_t n : {2u, length, jsonSize, 0x4e4f534au})
+            for (int i = 0; i < 4; ++i) bytes += char(n >> 8 * i & 0xff);
+        return bytes + text;
+    };
+    const std::uint32_t size = 3u << 30;
+    const std::pair<const char*, std::string> starts[] = {
+        {"short.glb", glb(100, 80, json)},
+        {"text.glb", glb(size, size - 20, json)},
+        {"chunk.glb", glb(size, std::uint32_t(json.size()), json)},
+        {"asset.glb", glb(size, 12, R"({"asset": 1})")},
+        {"start.gltf", json},
+        {"start.obj", "v 0 0 0\n"},
+        {"line.obj", "v 0 0 zero\n"},
+        {"buffer.gltf",
+         R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 8, "uri": "short.glb"}], "bufferViews": [{"buffer": 0, "byteLength": 9}]})"},
+    };
+    for (const auto& [name, start] : starts) {
+        write(name, start);
+        if (std::string_view(name) != "buffer.gltf") fs::resize_file(folder_.path() / name, size);
+        expectMention(refusal({"render", name, "-o", "a.png"}, kBadInput), name);
+    }
+    write("start.json", "{}");
+    fs::resize_file(folder_.path() / "start.json", size);
+    expectMention(renderRefusal({"--view", "start.json"}, kBadInput), "zero byte");
+    expectMention(renderRefusal({"--technique", "plan(start.json)"}, kBadInput), "zero byte");
+
     write("huge.glb", "glTF");
     fs::resize_file(folder_.path() / "huge.glb", std::uintmax_t(20) << 30);
     expectMention(refusal({"render", "huge.glb", "-o", "a.png"}, kBadInput), "at most 4 GiB");

@@ -220,8 +220,7 @@ std::vector<Light> SweepLights::of(const std::vector<Light>& own, std::uint64_t 
 SweepFile readSweepFile(const std::filesystem::path& path)
 {
     const std::string name = path.string();
-    const std::vector<std::byte> bytes = readInputFile(name);
-    const nlohmann::json json = parseJson(textOf(bytes), name);
+    const nlohmann::json json = parseJson(readJsonFile(name), name);
     const JsonPlace place(json, "", name);
     place.expectMembers({"question", "scenes", "views", "times", "sizes", "lights", "techniques", "lixels", "executor",
                          "seed", "timing_frames"});
