@@ -9,6 +9,7 @@
 #include "lixel/scene/load.h"
 #include "lixel/scene/view_file.h"
 #include "option_checks.h"
+#include "progress.h"
 #include "text.h"
 
 #include <algorithm>
@@ -247,6 +248,7 @@ std::shared_ptr<const Scene> openScene(const std::string& text)
 
 Shooting prepare(const PictureOptions& options, bool takeAll, std::shared_ptr<const Scene> scene)
 {
+    const Progress progress("reading " + options.scene, 1);
     Opened opened = openShooting(options, std::move(scene));
     const std::optional<ViewFile>& viewFile = opened.viewFile;
     Shooting& shooting = opened.shooting;
@@ -261,6 +263,7 @@ Shooting prepare(const PictureOptions& options, bool takeAll, std::shared_ptr<co
 
 PathShooting preparePath(const PictureOptions& options, const PathOptions& path)
 {
+    const Progress progress("reading " + options.scene, 1);
     Opened opened = openShooting(options);
     const std::vector<double> times = timesOf(opened.path(), options.time, path);
     Shooting& shooting = opened.shooting;

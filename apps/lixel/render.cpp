@@ -15,6 +15,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
 
 #include <CLI/CLI.hpp>
@@ -176,6 +177,63 @@ void checkOptions(const RenderOptions& options)
     if (!options.plan.empty()) expectWritable(options.plan);
 }
 
+// The files of one run: all of them, or none where one cannot be written.
+class Results
+{
+public:
+    Results() = default;
+    Results(const Results&) = delete;
+    Results& operator=(const Results&) = delete;
+    ~Results()
+    {
+        std::error_code ignored;
+        for (const std::string& path : written_)
+            if (std::filesystem::is_regular_file(path, ignored)) std::filesystem::remove(path, ignored);
+    }
+
+    void write(const std::string& path, const std::function<void(const std::string&)>& writeTo)
+    {
+        writeTo(path);
+        if (path != "-") written_.push_back(path);
+    }
+    void keep() { written_.clear(); }
+
+private:
+    std::vector<std::string> written_;
+};
+
+void renderShot(const RenderOptions& options, const Shooting& shooting, const TechniqueChoice& technique,
+                const LixelBudget& lixels, Executor& executor)
+{
+    Progress progress("render", 4);
+    progress.step("scene");
+    const Shot& shot = shooting.shots.front();
+    const Stage stage = makeStage(shooting.scene, shooting.evaluateOptions, originOf(shooting, shot));
+    progress.step("view samples");
+    Picture picture{shot, stage, shooting.planes, viewOf(shooting, shot), {}, {}, {}};
+    picture.samples = executor.viewSamples(stage, picture.view);
+    progress.step("shadows");
+    addShadows(picture, executor, technique, lixels);
+    progress.step("picture");
+    Results results;
+    if (!options.output.empty())
+        results.write(options.output, [&](const std::string& path) {
+            const auto pixels = executor.shade(stage, picture.view, shot.lights, picture.samples, picture.visibility);
+            writeOrPrint(path, encodePng(pixels));
+        });
+    if (!options.exr.empty())
+        results.write(options.exr, [&](const std::string& path) {
+            Channels channels(picture.samples);
+            addSurfaces(channels, picture);
+            for (std::size_t i = 0; i < shot.lights.size(); ++i) addLight(channels, picture, i, options);
+            channels.write(path);
+        });
+    if (!options.plan.empty())
+        results.write(options.plan,
+                      [&](const std::string& path) { writeOrPrint(path, toPlanJson(*picture.plan, shot.lights)); });
+    results.keep();
+}
+
 int runRender(const RenderOptions& options)
 {
     const std::vector<TechniqueChoice> technique = readTechniques(options.technique);
@@ -186,27 +244,7 @@ int runRender(const RenderOptions& options)
     checkOptions(options);
     const Shooting shooting = prepare(options.picture, false);
     expectPlanes(technique, shooting);
-    const auto executor = makeExecutor(options.executor);
-    Progress progress("render", 4);
-    progress.step("scene");
-    const Shot& shot = shooting.shots.front();
-    const Stage stage = makeStage(shooting.scene, shooting.evaluateOptions, originOf(shooting, shot));
-    progress.step("view samples");
-    Picture picture{shot, stage, shooting.planes, viewOf(shooting, shot), {}, {}, {}};
-    picture.samples = executor->viewSamples(stage, picture.view);
-    progress.step("shadows");
-    addShadows(picture, *executor, technique.front(), lixels);
-    progress.step("picture");
-    if (!options.output.empty())
-        writeOrPrint(options.output,
-                     encodePng(executor->shade(stage, picture.view, shot.lights, picture.samples, picture.visibility)));
-    if (!options.exr.empty()) {
-        Channels channels(picture.samples);
-        addSurfaces(channels, picture);
-        for (std::size_t i = 0; i < shot.lights.size(); ++i) addLight(channels, picture, i, options);
-        channels.write(options.exr);
-    }
-    if (!options.plan.empty()) writeOrPrint(options.plan, toPlanJson(*picture.plan, shot.lights));
+    renderShot(options, shooting, technique.front(), lixels, *makeExecutor(options.executor));
     tellWarnings(*shooting.scene);
     return kDone;
 }

@@ -8,9 +8,57 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace lixel {
+namespace {
+
+thread_local LoopWatch* watchOfThread = nullptr;
+
+} // namespace
+
+// A loop as its thread's watch sees it. Loops within it are not watched.
+class WatchedLoop
+{
+public:
+    explicit WatchedLoop(std::size_t blocks) : watch_(std::exchange(watchOfThread, nullptr))
+    {
+        if (!watch_) return;
+        const std::lock_guard lock(watch_->mutex_);
+        watch_->blocks_ = blocks;
+        watch_->begin_ = std::chrono::steady_clock::now();
+        watch_->done_ = 0;
+    }
+    WatchedLoop(const WatchedLoop&) = delete;
+    WatchedLoop& operator=(const WatchedLoop&) = delete;
+    ~WatchedLoop()
+    {
+        if (!watch_) return;
+        const std::lock_guard lock(watch_->mutex_);
+        watch_->blocks_ = 0;
+        watchOfThread = watch_;
+    }
+
+    void blockDone() const
+    {
+        if (watch_) watch_->done_.fetch_add(1, std::memory_order_relaxed);
+    }
+
+private:
+    LoopWatch* watch_;
+};
+
+LoopWatch::LoopWatch() : before_(std::exchange(watchOfThread, this)) {}
+
+LoopWatch::~LoopWatch() { watchOfThread = before_; }
+
+std::optional<LoopWatch::State> LoopWatch::running() const
+{
+    const std::lock_guard lock(mutex_);
+    if (blocks_ == 0) return std::nullopt;
+    return State{double(done_.load(std::memory_order_relaxed)) / double(blocks_), begin_};
+}
 
 void forEachBlock(std::size_t count, std::size_t blockSize, const std::function<void(std::size_t, std::size_t)>& body)
 {
@@ -19,10 +67,12 @@ void forEachBlock(std::size_t count, std::size_t blockSize, const std::function<
     std::atomic<std::size_t> next = 0;
     std::exception_ptr failure;
     std::mutex failureMutex;
+    const WatchedLoop loop(blocks);
     const auto work = [&] {
         for (std::size_t block = next++; block < blocks; block = next++) {
             try {
                 body(block * blockSize, std::min(count, (block + 1) * blockSize));
+                loop.blockDone();
             } catch (...) {
                 const std::lock_guard lock(failureMutex);
                 if (!failure) failure = std::current_exception();

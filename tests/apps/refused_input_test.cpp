@@ -313,7 +313,10 @@ TEST_F(RefusedInput, WhatIsFullIsAFailure)
     expectMention(refusal({"--help"}, kFailed, full), "standard output: cannot be written");
     const Words scene{"render", room()};
     expectMention(refusal(scene + small + Words{"-o", "-"}, kFailed, full), "standard output: cannot be written");
-    expectMention(refusal(scene + small + Words{"-o", "/dev/full"}, kFailed), "/dev/full: cannot be written");
+    for (const Words& outputs :
+         {Words{"-o", "/dev/full"}, Words{"-o", "/dev/full", "--exr", "a.exr"},
+          Words{"-o", "a.png", "--exr", "/dev/full"}, Words{"-o", "a.png", "--plan", "/dev/full"}})
+        expectMention(refusal(scene + small + outputs, kFailed), "/dev/full");
 }
 
 TEST_F(RefusedInput, WithoutGraphicsTheOtherExecutorIsNamed)

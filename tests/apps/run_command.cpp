@@ -5,7 +5,10 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fcntl.h>
+#include <optional>
 #include <stdexcept>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
@@ -39,6 +42,40 @@ public:
 
 private:
     std::FILE* file_;
+};
+
+// A terminal for standard error, which takes what it is given whenever asked.
+class Terminal
+{
+public:
+    explicit Terminal(int columns) : host_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK))
+    {
+        if (host_ < 0 || grantpt(host_) != 0 || unlockpt(host_) != 0)
+            throw std::runtime_error("no pseudo-terminal here");
+        const winsize size{24, static_cast<unsigned short>(columns), 0, 0};
+        ioctl(host_, TIOCSWINSZ, &size);
+        process_ = open(ptsname(host_), O_RDWR | O_NOCTTY);
+        if (process_ < 0) throw std::runtime_error("no pseudo-terminal here");
+    }
+    Terminal(const Terminal&) = delete;
+    Terminal& operator=(const Terminal&) = delete;
+    ~Terminal()
+    {
+        close(process_);
+        close(host_);
+    }
+
+    int descriptor() const { return process_; }
+    const std::string& text()
+    {
+        char block[4096];
+        for (ssize_t got; (got = read(host_, block, sizeof block)) > 0;) text_.append(block, std::size_t(got));
+        return text_;
+    }
+
+private:
+    int host_, process_ = -1;
+    std::string text_;
 };
 
 // Between fork and exec only calls that are safe there: everything else is prepared before.
@@ -76,13 +113,18 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts)
 double seconds(const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); }
 
 // Waits for its end, and interrupts it once when that is asked for.
-void await(pid_t process, const CommandOptions& options, CommandResult& result)
+void await(pid_t process, const CommandOptions& options, std::optional<Terminal>& terminal, CommandResult& result)
 {
     int status = 0;
     rusage used{};
     bool wasInterrupted = false;
-    while (wait4(process, &status, options.interruptWhen ? WNOHANG : 0, &used) == 0) {
-        if (!wasInterrupted && options.interruptWhen()) wasInterrupted = kill(process, options.signal) == 0;
+    const auto isTime = [&] {
+        const bool isShown = terminal && options.interruptWhenShown && options.interruptWhenShown(terminal->text());
+        return isShown || (options.interruptWhen && options.interruptWhen());
+    };
+    while (wait4(process, &status, options.interruptWhen || terminal ? WNOHANG : 0, &used) == 0) {
+        if (terminal) terminal->text();
+        if (!wasInterrupted && isTime()) wasInterrupted = kill(process, options.signal) == 0;
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -94,6 +136,9 @@ void await(pid_t process, const CommandOptions& options, CommandResult& result)
 CommandResult runLixel(const std::vector<std::string>& arguments, const CommandOptions& options)
 {
     const Capture out(options.printTo), err({});
+    std::optional<Terminal> terminal;
+    if (options.terminalColumns > 0) terminal.emplace(options.terminalColumns);
+    const int errDescriptor = terminal ? terminal->descriptor() : err.descriptor();
     std::vector<std::string> words{"lixel"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<std::string> environment = environmentWith(options.environment);
@@ -103,11 +148,11 @@ CommandResult runLixel(const std::vector<std::string>& arguments, const CommandO
     const pid_t process = fork();
     if (process < 0) throw std::runtime_error("no new process");
     if (process == 0)
-        become(wordPointers.data(), environmentPointers.data(), folder.c_str(), out.descriptor(), err.descriptor());
+        become(wordPointers.data(), environmentPointers.data(), folder.c_str(), out.descriptor(), errDescriptor);
     CommandResult result;
-    await(process, options, result);
+    await(process, options, terminal, result);
     if (options.printTo.empty()) result.out = out.text();
-    result.err = err.text();
+    result.err = terminal ? terminal->text() : err.text();
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // The command line as a user has it: the built executable in a process of its own, without a shell.
@@ -13,11 +14,13 @@ namespace lixel::test {
 
 struct CommandOptions
 {
-    std::filesystem::path folder;                   // to run in; empty: this process's
-    std::map<std::string, std::string> environment; // besides this process's
-    std::filesystem::path printTo;                  // standard output goes there; empty: into the result
-    std::function<bool()> interruptWhen;            // asked again and again; then it gets one signal
-    int signal = SIGINT;                            // as by Ctrl-C
+    std::filesystem::path folder;                             // to run in; empty: this process's
+    std::map<std::string, std::string> environment;           // besides this process's
+    std::filesystem::path printTo;                            // standard output goes there; empty: into the result
+    std::function<bool()> interruptWhen;                      // asked again and again; then it gets one signal
+    int signal = SIGINT;                                      // as by Ctrl-C
+    int terminalColumns = 0;                                  // standard error is a terminal so wide; 0: a file
+    std::function<bool(std::string_view)> interruptWhenShown; // as interruptWhen, given what the terminal has got
 };
 
 struct CommandResult
