@@ -3,6 +3,7 @@
 #ifndef LIXEL_SHARED_LOOKUP_KERNEL_H
 #define LIXEL_SHARED_LOOKUP_KERNEL_H
 #include "lixel/shared/lookup/how.h"
+#include "lixel/shared/shadow_tables.h"
 
 LX_SHARED_BEGIN
 
@@ -46,6 +47,15 @@ LX_FN vec2 lxTap(LxLookup how, int i, int j, uint seed)
         return vec2(x + lxUnit(one) - 0.5f, y + lxUnit(lxDiced(one)) - 0.5f);
     }
     return vec2(x, y);
+}
+
+// The corner of the lixel at a place, of those that the region owns. Where a lixel holds its neighbours to the right and above too, the
+// last one is one earlier.
+LX_FN vec2 lxCornerWithin(LxLookup how, ShadowRegion region, float x, float y)
+{
+    float last = how.store == LX_STORE_DEPTHS8 ? 2.0f : 1.0f;
+    return vec2(clamp(floor(x), region.rectangle.x, region.rectangle.z - last),
+                clamp(floor(y), region.rectangle.y, region.rectangle.w - last));
 }
 
 LX_SHARED_END
