@@ -63,8 +63,8 @@ public:
     const std::string& renderer() const;
     bool isSoftware() const;
 
-    // Regions drawn so far. Maps of a plan stay: where the next plan's maps are the same, of casters of the same version (which
-    // is not 0), they are not drawn again, unless they are forgotten: measuring, one does as if casters had moved.
+    // Regions drawn so far. Maps of a plan stay: those that the next plan has too, of casters of the same version (which is not 0), in
+    // an atlas of the same size, are not drawn again, unless they are forgotten: measuring, one does as if casters had moved.
     // What lookups prepare from maps stays with them; plansPrepared() counts how often it was made.
     std::uint64_t mapsDrawn() const;
     std::uint64_t plansPrepared() const;

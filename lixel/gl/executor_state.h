@@ -18,6 +18,7 @@
 #include "lixel/gl/passes/view_pass.h"
 #include "lixel/gl/passes/warp_fill_pass.h"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 
@@ -34,6 +35,7 @@ struct GlExecutor::State
     gl::ShadowAtlas atlas;
     gl::DrawnMaps inAtlas;
     gl::PreparedMaps prepared;
+    gl::RegionMarks missing; // of the plan that is drawn
     std::uint64_t mapsDrawn = 0, plansPrepared = 0;
     std::optional<gl::DrawnPositions> positions; // once asked for
     gl::ViewTargets targets;
@@ -122,18 +124,19 @@ struct GlExecutor::State
     void drawUploaded(const FramePlan& plan, const CasterSource& casters, bool hasOwnMatrices, bool hasOwnWarps)
     {
         const bool isKnown = !hasOwnMatrices && !hasOwnWarps;
-        if (!isKnown || !inAtlas.areThoseOf(plan, casters)) drawAnew(plan, casters, hasOwnMatrices, isKnown);
-        if (!plan.lookup.isPrepared() || prepared.areFor(plan)) return;
+        if (!isKnown) inAtlas.forget();
+        if (inAtlas.findMissing(plan, casters, missing)) drawMissing(plan, casters, hasOwnMatrices, isKnown);
+        if (!plan.lookup.isPrepared() || !prepared.findMissing(plan, missing)) return;
         gl::PassTimer::Scope scope(timer, gl::PreparePass::kName);
-        preparePass.run(plan, tables, atlas, prepared);
+        preparePass.run(plan, tables, atlas, prepared, missing);
         ++plansPrepared;
     }
 
-    void drawAnew(const FramePlan& plan, const CasterSource& casters, bool hasOwnMatrices, bool isKnown)
+    void drawMissing(const FramePlan& plan, const CasterSource& casters, bool hasOwnMatrices, bool isKnown)
     {
         const auto culling = hasOwnMatrices ? gl::LightDepthPass::Culling::Off : gl::LightDepthPass::Culling::ByRegion;
-        inAtlas.forget();
-        prepared.forget();
+        inAtlas.forget(); // of what is half drawn, should this throw
+        prepared.forget(missing);
         atlas.resize(device, plan);
         const CasterBuffers* buffers = std::get_if<CasterBuffers>(&casters);
         // What is seen mostly casts as well, and is then here once.
@@ -141,10 +144,10 @@ struct GlExecutor::State
         gl::Surfaces& surfaces = isSeen ? seen : casting;
         if (buffers && !isSeen) surfaces.update(*buffers);
         gl::PassTimer::Scope scope(timer, gl::LightDepthPass::kName);
-        if (buffers) lightDepthPass.run(plan, tables, surfaces, atlas, culling);
-        else lightDepthPass.run(plan, tables, std::get<CasterCallback>(casters), atlas, culling);
+        if (buffers) lightDepthPass.run(plan, tables, surfaces, atlas, culling, missing);
+        else lightDepthPass.run(plan, tables, std::get<CasterCallback>(casters), atlas, culling, missing);
         if (isKnown) inAtlas.set(plan, casters);
-        mapsDrawn += plan.regionTable.size();
+        mapsDrawn += std::uint64_t(std::ranges::count(missing, 1));
     }
 
     void lookUp(const FramePlan& plan, const gl::PointList& points, gl::VisibilityList& visibility)

@@ -119,6 +119,11 @@ TEST_F(ExecutorTest, MapsAreDrawnAgainOnlyWhenTheyOrTheirCastersDiffer)
     EXPECT_EQ(drawn(s.casters), 0u);
     std::swap(s.plan.lightTable[0], s.plan.lightTable[1]); // the same maps, read by other lights
     EXPECT_EQ(drawn(s.casters), 0u);
+    std::swap(s.plan.lightTable[0], s.plan.lightTable[1]);
+    s.lights[1].directionWorld = normalized(s.lights[1].directionWorld + Vec3d{0.01, 0, 0.02});
+    s.lights[1].positionWorld = s.lights[1].positionWorld + Vec3d{0.1, 0.2, 0};
+    s.plan = planFor(s.scene, s.view, s.lights, {40, 30}); // those of lights that stand still stay
+    EXPECT_EQ(drawn(s.casters), 1u);
     s.plan = planFor(s.scene, s.view, s.lights, {30, 40});
     EXPECT_EQ(drawn(s.casters), 3u);
     s.casters.version += 2;
@@ -159,6 +164,37 @@ TEST_F(ExecutorTest, WhatLookupsPrepareStaysWithItsMapsAndNothingIsMadeForItTwic
         EXPECT_EQ(gl::objectsMade(), made) << lookup;
         EXPECT_EQ(executor.measure(frame, 1).passes[3].name, "prepare");
     }
+}
+
+// Any of several lights move, come or go, from frame to frame: what is drawn and prepared for those alone gives the maps that a
+// fresh executor draws.
+TEST_F(ExecutorTest, MapsOfLightsThatStandStillStayWithWhatIsPreparedFromThem)
+{
+    GlExecutor executor;
+    forEachCase(6, [&](Rng& rng) {
+        Setting s = anySetting(rng, 5, {64, 64}, 40, 30);
+        const std::vector<Light> all = s.lights;
+        constexpr std::array kLookups{"pcf(1)", "depths(4)+pcf(4)", "dual-plane+bilinear", "msm", "evsm2"};
+        const MapTechnique lookup = lookupOf(kLookups[std::size_t(rng.integer(0, int(kLookups.size()) - 1))]);
+        const ViewSamples samples = executor.viewSamples(s.casters, s.view);
+        std::uint64_t drawn = 0, regions = 0;
+        for (int frame = 0; frame < 5; ++frame) {
+            const int moved = rng.integer(0, int(s.lights.size()) - 1);
+            Light& light = s.lights[std::size_t(moved)];
+            light.directionWorld = normalized(light.directionWorld + Vec3d{0.01, 0, 0.02});
+            light.positionWorld = light.positionWorld + Vec3d{0.1, 0.2, 0};
+            s.plan = planFor(s.scene, s.view, s.lights, {64, 64}, lookup);
+            GlExecutor fresh;
+            const std::uint64_t before = executor.mapsDrawn();
+            const auto got = executor.run(s.plan, s.casters, samples), wanted = fresh.run(s.plan, s.casters, samples);
+            for (std::size_t i = 0; i < got.size(); ++i) EXPECT_EQ(got[i].value, wanted[i].value);
+            drawn += executor.mapsDrawn() - before;
+            regions += fresh.mapsDrawn();
+            if (frame == 2) s.lights.pop_back();
+            if (frame == 3) s.lights = all;
+        }
+        EXPECT_LT(drawn, regions);
+    });
 }
 
 TEST_F(ExecutorTest, MeasuringDrawsTheMapsOfEveryFrame)

@@ -20,20 +20,28 @@ bool areSameBits(const std::vector<T>& a, const std::vector<T>& b)
 
 } // namespace
 
-bool DrawnMaps::areThoseOf(const FramePlan& plan, const CasterSource& casters) const
+bool DrawnMaps::isSameAtlas(const FramePlan& plan, const CasterSource& casters) const
 {
     return version_ != 0 && versionOf(casters) == version_ && casters.index() == kindOfSource_ &&
-           plan.originWorld == originWorld_ && plan.atlas == atlas_ && plan.layers == layers_ &&
-           areSameBits(plan.regionTable, regions_) && areSameBits(plan.warpTable, warps_) && areSameRasters(plan);
+           plan.originWorld == originWorld_ && plan.atlas == atlas_ && plan.layers == layers_;
 }
 
-bool DrawnMaps::areSameRasters(const FramePlan& plan) const
+bool DrawnMaps::findMissing(const FramePlan& plan, const CasterSource& casters, RegionMarks& missing) const
 {
+    missing.assign(plan.regionTable.size(), 1);
+    if (!isSameAtlas(plan, casters)) return true;
+    const bool areSameWarps = areSameBits(plan.warpTable, warps_);
+    bool anyMissing = false;
     std::size_t i = 0;
     for (const ShadowPlan& light : plan.lights)
-        for (const PlannedRegion& region : light.regions)
-            if (region.warp.raster != rasters_[i++]) return false;
-    return true;
+        for (const PlannedRegion& region : light.regions) {
+            const bool isThere = i < regions_.size() &&
+                                 std::memcmp(&plan.regionTable[i], &regions_[i], sizeof(shared::ShadowRegion)) == 0 &&
+                                 (region.warp.isIdentity() || (areSameWarps && region.warp.raster == rasters_[i]));
+            missing[i++] = isThere ? 0 : 1;
+            anyMissing |= !isThere;
+        }
+    return anyMissing;
 }
 
 void DrawnMaps::set(const FramePlan& plan, const CasterSource& casters)

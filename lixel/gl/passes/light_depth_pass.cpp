@@ -31,6 +31,24 @@ std::vector<const PlannedRegion*> regionsOf(const FramePlan& plan)
     return regions;
 }
 
+bool isAmong(const RegionMarks& among, std::size_t i) { return among.empty() || among[i] != 0; }
+
+// To far: all of the atlas, or the rectangles of some regions.
+void clear(const FramePlan& plan, const ShadowAtlas& atlas, const RegionMarks& among)
+{
+    const GLfloat far = 0;
+    if (std::ranges::find(among, 0) == among.end()) {
+        glClearTexImage(atlas.depth.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, &far);
+        return;
+    }
+    for (std::size_t i = 0; i < among.size(); ++i) {
+        if (!among[i]) continue;
+        const shared::vec4& r = plan.regionTable[i].rectangle;
+        glClearTexSubImage(atlas.depth.name(), 0, GLint(r.x), GLint(r.y), GLint(plan.regionTable[i].place.x),
+                           GLsizei(r.z - r.x), GLsizei(r.w - r.y), 1, GL_DEPTH_COMPONENT, GL_FLOAT, &far);
+    }
+}
+
 } // namespace
 
 std::vector<Plane> casterVolume(const LightProjection& projection)
@@ -102,40 +120,43 @@ void LightDepthPass::bindBatch(const FramePlan& plan, const PlanTables& tables, 
 
 template <typename Draw>
 void LightDepthPass::forEachBatch(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas,
-                                  const Draw& draw)
+                                  const RegionMarks& among, const Draw& draw)
 {
-    const GLfloat far = 0;
-    glClearTexImage(atlas.depth.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, &far);
+    clear(plan, atlas, among);
     const int regions = int(plan.regionTable.size());
     for (int first = 0; first < regions; first += mostViewports_) {
-        const Batch batch{first, std::min(mostViewports_, regions - first)};
+        Batch batch{first, std::min(mostViewports_, regions - first)};
+        for (int i = 0; i < batch.count; ++i)
+            if (isAmong(among, std::size_t(first + i))) batch.among |= 1u << i;
+        if (batch.among == 0) continue;
         bindBatch(plan, tables, atlas, batch);
         draw(batch);
     }
 }
 
 void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const Surfaces& casters,
-                         const ShadowAtlas& atlas, Culling culling)
+                         const ShadowAtlas& atlas, Culling culling, const RegionMarks& among)
 {
     LX_ASSERT(casters.originWorld() == plan.originWorld);
     drawn_ = culled_ = 0;
     const std::vector<const PlannedRegion*> regions = regionsOf(plan);
-    forEachBatch(plan, tables, atlas, [&](const Batch& batch) { drawSurfaces(regions, casters, batch, culling); });
+    forEachBatch(plan, tables, atlas, among,
+                 [&](const Batch& batch) { drawSurfaces(regions, casters, batch, culling); });
     for (std::size_t i = 0; i < regions.size(); ++i) {
-        if (wayInto(*regions[i]) != Way::Exact) continue;
+        if (wayInto(*regions[i]) != Way::Exact || !isAmong(among, i)) continue;
         LX_ASSERT(output_ == Output::Depth);
-        listCasters(regions, casters, {int(i), 1}, culling, 1);
+        listCasters(regions, casters, {int(i), 1, 1}, culling);
         exact_.run(plan, *regions[i], int(i), tables, casters, draws_, atlas, warpRoom_);
     }
 }
 
 void LightDepthPass::listCasters(const std::vector<const PlannedRegion*>& regions, const Surfaces& casters,
-                                 const Batch& batch, Culling culling, std::uint32_t among)
+                                 const Batch& batch, Culling culling)
 {
     volumes_.assign(std::size_t(batch.count), {});
     for (std::size_t i = 0; i < volumes_.size() && culling == Culling::ByRegion; ++i)
         volumes_[i] = casterVolume(regions[std::size_t(batch.first) + i]->projection());
-    draws_.list(casters.runs(), volumes_, std::uint32_t(batch.first), among);
+    draws_.list(casters.runs(), volumes_, std::uint32_t(batch.first), batch.among);
     drawn_ += draws_.drawn();
     culled_ += draws_.culled();
 }
@@ -144,17 +165,17 @@ void LightDepthPass::drawSurfaces(const std::vector<const PlannedRegion*>& regio
                                   const Batch& batch, Culling culling)
 {
     for (const Way way : {Way::Plain, Way::Moved, Way::Tessellated}) {
-        std::uint32_t among = 0;
+        Batch part{batch.first, batch.count};
         bool areOnParaboloids = false;
         for (int i = 0; i < batch.count; ++i) {
             const PlannedRegion& region = *regions[std::size_t(batch.first + i)];
-            if (wayInto(region) != way) continue;
-            among |= 1u << i;
+            if (!batch.has(i) || wayInto(region) != way) continue;
+            part.among |= 1u << i;
             areOnParaboloids |= region.paraboloid.has_value();
         }
-        if (among == 0) continue;
+        if (part.among == 0) continue;
         clipAtRims(areOnParaboloids);
-        listCasters(regions, casters, batch, culling, among);
+        listCasters(regions, casters, part, culling);
         if (!draws_.commands().empty()) drawListed(way, casters, batch);
     }
 }
@@ -188,7 +209,7 @@ void LightDepthPass::drawListed(Way way, const Surfaces& casters, const Batch& b
 }
 
 void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const CasterCallback& casters,
-                         const ShadowAtlas& atlas, Culling culling)
+                         const ShadowAtlas& atlas, Culling culling, const RegionMarks& among)
 {
     LX_ASSERT(casters.originWorld == plan.originWorld);
     const std::vector<const PlannedRegion*> regions = regionsOf(plan);
@@ -201,10 +222,11 @@ void LightDepthPass::run(const FramePlan& plan, const PlanTables& tables, const 
             "their buffers over");
     drawn_ = culled_ = 0;
     std::vector<CasterView> views;
-    forEachBatch(plan, tables, atlas, [&](const Batch& batch) {
+    forEachBatch(plan, tables, atlas, among, [&](const Batch& batch) {
         views.clear();
         bool areOnParaboloids = false;
         for (int i = batch.first; i < batch.first + batch.count; ++i) {
+            if (!batch.has(i - batch.first)) continue;
             areOnParaboloids |= regions[std::size_t(i)]->paraboloid.has_value();
             views.push_back({std::uint32_t(i), culling == Culling::ByRegion
                                                    ? casterVolume(regions[std::size_t(i)]->projection())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lixel/gl/device/program.h"
+#include "lixel/gl/passes/drawn_maps.h"
 #include "lixel/gl/passes/exact_warp.h"
 #include "lixel/gl/passes/plan_tables.h"
 #include "lixel/gl/passes/surfaces.h"
@@ -15,7 +16,7 @@ namespace lixel::gl {
 
 // Draws the casters through every region of a plan into its rectangle of the atlas, as many regions at once as the device
 // has viewports. Geometry between the light and a region's near side is drawn at the near side. Casters from buffers that no
-// lixel of a region can see are left out of it. Into warped maps casters are drawn as their warp says (WarpRaster); a host's get
+// lixel of a region can see are left out of it. Regions that are not `among` those to draw keep what they have. Into warped maps casters are drawn as their warp says (WarpRaster); a host's get
 // there by their vertices alone, and throw GraphicsError where a warp asks for more.
 //   reads   PlanTables, Surfaces or a host's casters        writes   ShadowAtlas
 class LightDepthPass
@@ -31,9 +32,9 @@ public:
     explicit LightDepthPass(const Device& device, Output output = Output::Depth);
 
     void run(const FramePlan& plan, const PlanTables& tables, const Surfaces& casters, const ShadowAtlas& atlas,
-             Culling culling = Culling::ByRegion);
+             Culling culling = Culling::ByRegion, const RegionMarks& among = {});
     void run(const FramePlan& plan, const PlanTables& tables, const CasterCallback& casters, const ShadowAtlas& atlas,
-             Culling culling = Culling::ByRegion);
+             Culling culling = Culling::ByRegion, const RegionMarks& among = {});
 
     // Of the last run: triangles of buffers times the regions they were drawn into, or were left out of.
     std::uint64_t trianglesDrawn() const { return drawn_; }
@@ -45,13 +46,17 @@ public:
     std::size_t warpBytes() const { return exact_.bytes() + warpRoom_.bytes(); }
 
 private:
-    // Regions [first, first + count) of the plan.
+    // Of regions [first, first + count) of the plan those whose bit is in `among`.
     struct Batch
     {
         int first = 0, count = 0;
+        std::uint32_t among = 0;
+
+        bool has(int i) const { return (among >> i & 1u) != 0; }
     };
     template <typename Draw>
-    void forEachBatch(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas, const Draw& draw);
+    void forEachBatch(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas,
+                      const RegionMarks& among, const Draw& draw);
     void bindBatch(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas, const Batch& batch);
     // How casters get into a map: as they are, their vertices moved, cut up before that, or by rays.
     enum class Way { Plain, Moved, Tessellated, Exact };
@@ -62,7 +67,7 @@ private:
     };
     const Programs& programsFor(Way way);
     void listCasters(const std::vector<const PlannedRegion*>& regions, const Surfaces& casters, const Batch& batch,
-                     Culling culling, std::uint32_t among);
+                     Culling culling);
     void drawSurfaces(const std::vector<const PlannedRegion*>& regions, const Surfaces& casters, const Batch& batch,
                       Culling culling);
     void drawListed(Way way, const Surfaces& casters, const Batch& batch);

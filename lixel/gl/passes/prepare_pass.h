@@ -16,10 +16,11 @@ class PreparePass
 {
 public:
     static constexpr const char* kName = "prepare";
-    void run(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas, PreparedMaps& maps);
+    void run(const FramePlan& plan, const PlanTables& tables, const ShadowAtlas& atlas, PreparedMaps& maps,
+             const RegionMarks& among = {});
 
 private:
-    void dispatch(const FramePlan& plan, const char* what);
+    void dispatch(const FramePlan& plan, const RegionMarks& among, const char* what);
 
     ProgramSet programs_{"prepare.comp.glsl"};
 };

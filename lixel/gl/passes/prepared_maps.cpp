@@ -16,6 +16,33 @@ std::string lookupDefine(const shared::LxLookup& how)
                        how.around, how.kernel, how.isDualPlane, how.blur);
 }
 
+bool PreparedMaps::areFor(const FramePlan& plan) const
+{
+    return of_ == lookupDefine(plan.lookup.how) && has_.size() == plan.regionTable.size() &&
+           std::ranges::find(has_, 0) == has_.end();
+}
+
+bool PreparedMaps::findMissing(const FramePlan& plan, RegionMarks& missing) const
+{
+    const bool isOfLookup = of_ == lookupDefine(plan.lookup.how);
+    missing.assign(plan.regionTable.size(), 1);
+    for (std::size_t i = 0; i < missing.size() && isOfLookup; ++i) missing[i] = i < has_.size() && has_[i] ? 0 : 1;
+    return std::ranges::find(missing, 1) != missing.end();
+}
+
+void PreparedMaps::set(const FramePlan& plan)
+{
+    of_ = lookupDefine(plan.lookup.how);
+    has_.assign(plan.regionTable.size(), 1);
+}
+
+void PreparedMaps::forget(const RegionMarks& regions)
+{
+    has_.resize(regions.size(), 0);
+    for (std::size_t i = 0; i < regions.size(); ++i)
+        if (regions[i]) has_[i] = 0;
+}
+
 void PreparedMaps::resize(const FramePlan& plan)
 {
     const LookupLayout& lookup = plan.lookup;

@@ -3,6 +3,7 @@
 
 #include "lixel/gl/device/device.h"
 #include "lixel/gl/device/objects.h"
+#include "lixel/gl/passes/drawn_maps.h"
 #include "lixel/plan/shadow_plan.h"
 
 #include <string>
@@ -22,13 +23,16 @@ struct PreparedMaps
     void resize(const FramePlan& plan);
     void bind() const; // kUnitWords, kUnitMoreWords, kUnitGradients, kUnitMoments
 
-    // Whether they are there for this plan's lookup. They must be forgotten when the maps change.
-    bool areFor(const FramePlan& plan) const { return of_ == lookupDefine(plan.lookup.how); }
-    void set(const FramePlan& plan) { of_ = lookupDefine(plan.lookup.how); }
-    void forget() { of_.clear(); }
+    bool areFor(const FramePlan& plan) const;
+    // Marks the regions that they are not there of, for this plan's lookup. False: areFor() all.
+    bool findMissing(const FramePlan& plan, RegionMarks& missing) const;
+    void set(const FramePlan& plan); // of all regions
+    // Of maps that change.
+    void forget(const RegionMarks& regions);
 
 private:
     std::string of_;
+    RegionMarks has_;
 };
 
 } // namespace lixel::gl
