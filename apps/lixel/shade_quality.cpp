@@ -67,10 +67,10 @@ ShadeQuality shadeQuality(const ShotContext& context, const Visibility& visibili
     quality.darkInterior = {shades.darkInterior, shades.litDarkInterior};
     quality.area = against(values, truth.area);
     if (!plan || !whyNoShare(plan->lookup).empty()) return quality;
-    quality.filterLixels = filterSide(plan->lookup);
-    const std::vector<float> filtered =
-        exactFiltered(*context.stage.traced, plan->lights[light], truth.samples, context.shot.lights[light],
-                      *quality.filterLixels, context.options.filterRays);
+    const LixelFilter filter = filterOf(plan->lookup);
+    quality.filterLixels = filter.side;
+    const std::vector<float> filtered = exactFiltered(*context.stage.traced, plan->lights[light], truth.samples,
+                                                      context.shot.lights[light], filter, context.options.filterRays);
     quality.filtered = against(values, filtered);
     return quality;
 }

@@ -188,7 +188,7 @@ Expected<std::vector<Visibility>, Refusal> visibilityWithoutMap(const Technique&
         if (area) out[i].value = exactArea(scene, view, samples, lights[i], area->samples);
         else if (!filtered) out[i].value = exactVisibility(scene, samples, lights[i]);
         else if (!plan->lights[i].refused)
-            out[i].value = exactFiltered(scene, plan->lights[i], samples, lights[i], filterSide(plan->lookup),
+            out[i].value = exactFiltered(scene, plan->lights[i], samples, lights[i], filterOf(plan->lookup),
                                          int(std::lround(std::sqrt(double(filtered->rays)))));
     }
     return out;

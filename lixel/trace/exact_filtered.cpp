@@ -3,6 +3,7 @@
 
 #include "lixel/base/assert.h"
 #include "lixel/plan/light_image.h"
+#include "lixel/shared/lookup/kernel.h"
 #include "lixel/trace/lit_share.h"
 #include "lixel/trace/parallel.h"
 
@@ -44,12 +45,21 @@ std::optional<SurfacePoint> onPlaneOf(const SurfacePoint& sample, const LightIma
     return SurfacePoint{toFloat(p), sample.normal, kNoTriangle};
 }
 
+// A place of the filter's square, turned as the sample's taps are.
+Vec2d offsetOf(const LixelFilter& filter, Vec2d place, const SurfacePoint& sample)
+{
+    if (!filter.isRotated) return place;
+    const Vec3f& p = sample.positionLocal;
+    const shared::vec2 turned = shared::lxTurned({float(place.x), float(place.y)}, shared::lxSeedOf({p.x, p.y, p.z}));
+    return {turned.x, turned.y};
+}
+
 } // namespace
 
 std::vector<float> exactFiltered(const TraceScene& scene, const ShadowPlan& plan, const ViewSamples& samples,
-                                 const Light& light, double side, int n)
+                                 const Light& light, const LixelFilter& filter, int n)
 {
-    LX_ASSERT(samples.originWorld == scene.originWorld() && side > 0 && n > 0);
+    LX_ASSERT(samples.originWorld == scene.originWorld() && filter.side > 0 && n > 0);
     std::vector<float> share(samples.size(), 0.0f);
     forEachBlock(samples.size(), 64, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -59,9 +69,9 @@ std::vector<float> exactFiltered(const TraceScene& scene, const ShadowPlan& plan
             LitShare lit(scene, light);
             for (int k = 0; served && k < n * n; ++k) {
                 const int column = k % n, row = k / n;
-                const Vec2d offset{(column + 0.5) / n - 0.5, (row + 0.5) / n - 0.5};
+                const Vec2d place{(column + 0.5) / n - 0.5, (row + 0.5) / n - 0.5};
                 const Vec2d middle{served->lixelAndDepth.x, served->lixelAndDepth.y};
-                lit.add(onPlaneOf(sample, served->image, middle + side * offset));
+                lit.add(onPlaneOf(sample, served->image, middle + offsetOf(filter, filter.side * place, sample)));
             }
             share[i] = lit.around(sample);
         }

@@ -116,9 +116,9 @@ void Figures::measure(const OnePicture& picture, const PartialTruth& band)
         const std::vector<float> all = executors_.front()->run(picture.stage, plan, picture.samples).front().value;
         const std::vector<float> values = valuesOf(all, band.band);
         const auto filtered = [&](double side) {
-            return exactFiltered(*picture.stage.traced, plan.lights.front(), band.samples, light, side, kRays);
+            return exactFiltered(*picture.stage.traced, plan.lights.front(), band.samples, light, {side}, kRays);
         };
-        const double side = filterSide(plan.lookup);
+        const double side = filterOf(plan.lookup).side;
         const std::vector<float> own = filtered(side), classic = filtered(4),
                                  nine = side == 2 ? filtered(3) : std::vector<float>{};
         for (std::size_t i = 0; i < values.size(); ++i) {

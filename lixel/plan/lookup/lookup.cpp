@@ -84,22 +84,17 @@ LookupLayout lookupLayout(const MapTechnique& technique)
     return layout;
 }
 
-double filterSide(const LookupLayout& lookup)
+LixelFilter filterOf(const LookupLayout& lookup)
 {
-    if (lookup.momentChannels > 0) return lookup.how.blur;
-    return lookup.how.store == shared::LX_STORE_DEPTHS8 ? lookup.tapsPerSide + 1 : lookup.tapsPerSide;
+    if (lookup.momentChannels > 0) return {double(lookup.how.blur)};
+    const int more = lookup.how.store == shared::LX_STORE_DEPTHS8 ? 1 : 0;
+    return {double(lookup.tapsPerSide + more), lookup.how.kernel == shared::LX_KERNEL_ROTATED};
 }
 
 std::string_view whyNoShare(const LookupLayout& lookup)
 {
-    switch (lookup.how.kernel) {
-    case shared::LX_KERNEL_BILINEAR:
-        return "bilinear rounds what it filters and stands for no share of light; hardware-pcf filters as many lixels";
-    case shared::LX_KERNEL_ROTATED:
-    case shared::LX_KERNEL_JITTERED:
-        return "rotated and jittered kernels have another footprint for every sample; the regular pcf(k) has one";
-    default: return "";
-    }
+    if (lookup.how.kernel != shared::LX_KERNEL_BILINEAR) return "";
+    return "bilinear rounds what it filters and stands for no share of light; hardware-pcf filters as many lixels";
 }
 
 } // namespace lixel

@@ -32,10 +32,16 @@ struct LookupLayout
 
 LookupLayout lookupLayout(const MapTechnique& technique);
 
-// Lixels a side of the square that a lookup averages over, which is what its partial shadows stand for.
-double filterSide(const LookupLayout& lookup);
+// The square around a receiver that a lookup averages over, which is what its partial shadows stand for.
+struct LixelFilter
+{
+    double side = 1;        // lixels
+    bool isRotated = false; // by the angle of each receiver (lxTurned), as its taps are
+};
 
-// Why the lit share of one such square is not what visibility stands for; empty where it is.
+LixelFilter filterOf(const LookupLayout& lookup);
+
+// Why the lit share of such a square is not what visibility stands for; empty where it is.
 std::string_view whyNoShare(const LookupLayout& lookup);
 
 } // namespace lixel

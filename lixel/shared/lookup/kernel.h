@@ -27,21 +27,25 @@ LX_FN uint lxSeedOf(vec3 positionLocal)
 // In [0, 1).
 LX_FN float lxUnit(uint word) { return float(word >> 8u) * 5.9604645e-8f; }
 
-// Tap (i, j) of a grid of `side` by `side`, in lixels from the receiver. Rotated: the whole grid by an angle of the receiver's, which is
-// less than a right one, since that maps the grid onto itself; t is the tangent of half of it. Jittered: each tap anywhere in its own
-// square.
+// A place in lixels from the receiver, turned about it by an angle of the receiver's, which is less than a right one, since that maps
+// a square onto itself; t is the tangent of half of it.
+LX_FN vec2 lxTurned(vec2 place, uint seed)
+{
+    float t = lxUnit(seed);
+    float perT = 1.0f / (1.0f + t * t);
+    float cosine = (1.0f - t * t) * perT;
+    float sine = 2.0f * t * perT;
+    return vec2(cosine * place.x - sine * place.y, sine * place.x + cosine * place.y);
+}
+
+// Tap (i, j) of a grid of `side` by `side`, in lixels from the receiver. Rotated: the whole grid is turned. Jittered: each tap anywhere in
+// its own square.
 LX_FN vec2 lxTap(LxLookup how, int i, int j, uint seed)
 {
     float first = -0.5f * float(how.side - 1);
     float x = first + float(i);
     float y = first + float(j);
-    if (how.kernel == LX_KERNEL_ROTATED) {
-        float t = lxUnit(seed);
-        float perT = 1.0f / (1.0f + t * t);
-        float cosine = (1.0f - t * t) * perT;
-        float sine = 2.0f * t * perT;
-        return vec2(cosine * x - sine * y, sine * x + cosine * y);
-    }
+    if (how.kernel == LX_KERNEL_ROTATED) return lxTurned(vec2(x, y), seed);
     if (how.kernel == LX_KERNEL_JITTERED) {
         uint one = lxDiced(seed + uint(j * how.side + i));
         return vec2(x + lxUnit(one) - 0.5f, y + lxUnit(lxDiced(one)) - 0.5f);
