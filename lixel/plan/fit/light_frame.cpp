@@ -77,13 +77,62 @@ bool isBeyond(Vec4d side, Vec3d centre, Vec3d half)
     return value.middle + value.reach < -kTouching * terms;
 }
 
+// Rows whose values are those of w times the place from a rectangle's middle, along its sides.
+struct SideRows
+{
+    Vec4d u, v;
+};
+
+SideRows sideRows(const LightFrame& frame, const OrientedRectangle& rectangle)
+{
+    const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
+    const auto along = [&](Vec2d axis) { return axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w; };
+    return {along(rectangle.axis), along({-rectangle.axis.y, rectangle.axis.x})};
+}
+
+// How far rounding of one part may move points within a rectangle, as if all that is worst came together: the farthest of them from
+// the origin, and the least w.
+Vec2d mostRounding(const SideRows& rows, Vec4d w, const OrientedRectangle& rectangle, double reach, double leastW)
+{
+    const auto size = [reach](Vec4d r) {
+        return (std::abs(r.x) + std::abs(r.y) + std::abs(r.z)) * reach + std::abs(r.w);
+    };
+    return {(size(rows.u) + rectangle.halfSize.x * size(w)) / leastW,
+            (size(rows.v) + rectangle.halfSize.y * size(w)) / leastW};
+}
+
+// Whether so little that a rectangle needs no room for it.
+bool needsNoRoom(Vec2d rounding, const OrientedRectangle& rectangle)
+{
+    return kRoomPerRounding * rounding.x < kUnroomed * rectangle.halfSize.x &&
+           kRoomPerRounding * rounding.y < kUnroomed * rectangle.halfSize.y;
+}
+
+// The w of lights at a point that tells, without asking for distances from the light, that no point is next to it.
+double leastWBeside(const LightFrame& frame, double reach)
+{
+    return kNextToLight * (length(frame.apexLocal) + reach) * length(xyz(frame.framedFromLocal.row(3)));
+}
+
+// Whether the box around a body's points tells already that its rectangle needs no room.
+bool needsNoRoom(const FramedBody& body, const OrientedRectangle& rectangle)
+{
+    if (body.bounds.isEmpty()) return false;
+    const Vec3d centre = body.bounds.centre(), half = 0.5 * (body.bounds.max - body.bounds.min);
+    const Vec4d w = body.frame.framedFromLocal.row(3);
+    const Interval values = over(w, centre, half);
+    const double reach = length(centre) + length(half),
+                 leastW = body.frame.isPerspective ? values.middle - values.reach : body.frame.leastW;
+    if (body.frame.isPerspective && !(leastW > leastWBeside(body.frame, reach))) return false;
+    return needsNoRoom(mostRounding(sideRows(body.frame, rectangle), w, rectangle, reach, leastW), rectangle);
+}
+
 // How far rounding of one part moves points within a rectangle, along its sides: the terms of their coordinates, counted from its
 // middle. Points next to the light, which no map resolves, count as if they were not quite as near.
 Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, std::span<const Vec3d> points)
 {
-    const Vec4d x = frame.framedFromLocal.row(0), y = frame.framedFromLocal.row(1), w = frame.framedFromLocal.row(3);
-    const auto along = [&](Vec2d axis) { return axis.x * x + axis.y * y - dot(axis, rectangle.centre) * w; };
-    const Vec4d u = along(rectangle.axis), v = along({-rectangle.axis.y, rectangle.axis.x});
+    const Vec4d w = frame.framedFromLocal.row(3);
+    const SideRows rows = sideRows(frame, rectangle);
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     double leastW = frame.isPerspective ? kInfinity : frame.leastW, farthest = 0;
     if (frame.isPerspective)
@@ -97,7 +146,7 @@ Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, st
 
     // Most bodies keep away from the light by far: w, which is 0 there, tells so without their distances.
     double leastAway = kInfinity, next = 0; // squares
-    if (frame.isPerspective && leastW < kNextToLight * (length(frame.apexLocal) + reach) * length(xyz(w))) {
+    if (frame.isPerspective && leastW < leastWBeside(frame, reach)) {
         double mostAway = 0;
         for (const Vec3d& p : points) {
             const double away = squaredDistance(p, frame.apexLocal);
@@ -108,15 +157,9 @@ Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, st
     }
     const bool isNext = leastAway < next;
 
-    // As if all that is worst came together; mostly that is little enough.
-    const auto size = [reach](Vec4d r) {
-        return (std::abs(r.x) + std::abs(r.y) + std::abs(r.z)) * reach + std::abs(r.w);
-    };
-    const Vec2d bound{(size(u) + rectangle.halfSize.x * size(w)) / leastW,
-                      (size(v) + rectangle.halfSize.y * size(w)) / leastW};
-    if (!isNext && kRoomPerRounding * bound.x < kUnroomed * rectangle.halfSize.x &&
-        kRoomPerRounding * bound.y < kUnroomed * rectangle.halfSize.y)
-        return bound;
+    // Mostly that is little enough.
+    const Vec2d bound = mostRounding(rows, w, rectangle, reach, leastW);
+    if (!isNext && needsNoRoom(bound, rectangle)) return bound;
     Vec2d most;
     for (Vec3d p : points) {
         if (const double away = squaredDistance(p, frame.apexLocal); isNext && away < next)
@@ -125,8 +168,8 @@ Vec2d roundingIn(const LightFrame& frame, const OrientedRectangle& rectangle, st
             return std::abs(r.x * p.x) + std::abs(r.y * p.y) + std::abs(r.z * p.z) + std::abs(r.w);
         };
         const double perW = 1 / dot(w, point(p)), termsOfW = terms(w);
-        most.x = std::max(most.x, perW * (terms(u) + std::abs(perW * dot(u, point(p))) * termsOfW));
-        most.y = std::max(most.y, perW * (terms(v) + std::abs(perW * dot(v, point(p))) * termsOfW));
+        most.x = std::max(most.x, perW * (terms(rows.u) + std::abs(perW * dot(rows.u, point(p))) * termsOfW));
+        most.y = std::max(most.y, perW * (terms(rows.v) + std::abs(perW * dot(rows.v, point(p))) * termsOfW));
     }
     return most;
 }
@@ -357,7 +400,7 @@ Expected<FramedBody, FitFailure> frameAround(const FitInput& input, std::span<co
     keepCorners(lightFrame(input.light, input.originWorld, normalized(box.centre() - lightLocal)), points, scratch);
     const DirectionCone cone = coneAround(scratch.corners, lightLocal, scratch.directions);
     if (cone.cosHalfAngle < kLeastCosHalfAngle) return Unexpected{FitFailure::ExtentNotInHemisphere};
-    return FramedBody{lightFrame(input.light, input.originWorld, cone.axis), points, scratch.corners};
+    return FramedBody{lightFrame(input.light, input.originWorld, cone.axis), points, scratch.corners, box};
 }
 
 Expected<FramedBody, FitFailure> visibleBody(const FitInput& input)
@@ -371,6 +414,7 @@ Expected<FramedBody, FitFailure> visibleBody(const FitInput& input)
 
 OrientedRectangle resolved(OrientedRectangle rectangle, const FramedBody& body)
 {
+    if (needsNoRoom(body, rectangle)) return rectangle;
     const Vec2d rounding = roundingIn(body.frame, rectangle, body.points);
     rectangle.halfSize = {withRoom(rectangle.halfSize.x, rounding.x), withRoom(rectangle.halfSize.y, rounding.y)};
     return rectangle;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lixel/base/box.h"
 #include "lixel/base/rectangle.h"
 #include "lixel/plan/fit/fit.h"
 
@@ -35,6 +36,7 @@ struct FramedBody
     LightFrame frame;
     std::span<const Vec3d> points;  // all of it
     std::span<const Vec3d> corners; // those of them that are corners of its image, or may be; planar maps keep them so
+    Box bounds{};                   // of the points, where that is known
 };
 
 // Depth of lights at a point becomes the new w, which is 0 at the light and grows along rays where it is positive at all; that of

@@ -9,14 +9,26 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace lixel {
 namespace {
 
-constexpr double kTurnStep = 1.0 / 14; // radians
+// Turns that divide a circle into eighths: a camera that looks along an axis, or half-way between two, is in the middle of a step.
+constexpr int kTurnsOfCircle = 88;
+constexpr double kTurnStep = 2 * std::numbers::pi / kTurnsOfCircle; // radians
 constexpr double kGridPerDiagonal = 1.0 / 20;
-constexpr double kAngleGrid = 1.0 / 256; // radians, that the held view's opening is rounded up to
-constexpr double kWidestHeld = 1.5;      // radians of half angle
+constexpr double kWidestHeld = 1.5; // radians of half angle
+
+// Borders lie where round numbers do not: the held view's opening is rounded up to a grid from above 0.6 of its steps, and the near
+// side down from below 2^-0.4 = 0.76 of powers of two.
+constexpr double kAngleGrid = 1.0 / 2048; // radians
+constexpr double kAboveAngle = 0.4;       // steps of it
+constexpr double kBelowOctave = 0.4;
+
+// How far the middle of a picture may be off the line of sight by jitter, and in what steps it counts beyond that.
+constexpr double kJitter = 0.51;            // pixels
+constexpr double kOffCentreStep = 1.0 / 32; // of half the picture
 
 struct Sphere
 {
@@ -102,46 +114,95 @@ double snapped(double x, double step) { return step * std::round(x / step); }
 
 Vec3d snapped(Vec3d p, double step) { return {snapped(p.x, step), snapped(p.y, step), snapped(p.z, step)}; }
 
-// How a camera is turned, on a grid of angles about the world's y axis: yaw, then pitch, then roll about the line of sight.
+// Steps of turns, half a circle to the left as half a circle to the right.
+int turnsOf(double angle)
+{
+    const int turns = int(std::round(angle / kTurnStep));
+    return 2 * turns <= -kTurnsOfCircle ? turns + kTurnsOfCircle : turns;
+}
+
+// How a camera is turned, on a grid of angles about the y axis: yaw, then pitch, then roll about the line of sight.
 struct Turn
 {
     Vec3d forward, up;
 };
 
-Turn snappedTurn(Vec3d forward, Vec3d right)
+std::optional<Turn> snappedAboutY(Vec3d forward, Vec3d right, int steepest)
 {
-    const auto rightOfUpright = [](double yaw) { return Vec3d{-std::cos(yaw), 0, std::sin(yaw)}; };
-    const double yaw = std::atan2(forward.x, forward.z), pitch = std::asin(std::clamp(forward.y, -1.0, 1.0));
-    const Vec3d level = rightOfUpright(yaw);
+    const int pitch = turnsOf(std::asin(std::clamp(forward.y, -1.0, 1.0)));
+    if (std::abs(pitch) > steepest) return std::nullopt;
+    const double acrossSquared = forward.x * forward.x + forward.z * forward.z;
+    const Vec3d level = (1 / std::sqrt(acrossSquared)) * Vec3d{-forward.z, 0, forward.x};
     const double roll = std::atan2(dot(right, cross(level, forward)), dot(right, level));
 
-    const double y = snapped(yaw, kTurnStep), p = snapped(pitch, kTurnStep), r = snapped(roll, kTurnStep);
+    const double y = kTurnStep * turnsOf(std::atan2(forward.x, forward.z)), p = kTurnStep * pitch,
+                 r = kTurnStep * turnsOf(roll);
     const Vec3d f{std::cos(p) * std::sin(y), std::sin(p), std::cos(p) * std::cos(y)};
-    return {f, std::cos(r) * cross(rightOfUpright(y), f) - std::sin(r) * rightOfUpright(y)};
+    const Vec3d snappedLevel{-std::cos(y), 0, std::sin(y)};
+    return Turn{f, std::cos(r) * cross(snappedLevel, f) - std::sin(r) * snappedLevel};
 }
 
-// How far a picture's corners are from its line of sight, to the side and upwards: radians, rounded up so that jitter of a part
-// of a pixel changes them seldom.
+// About the world's y axis; for those that look more along it than across, about its z axis, since near an axis every small turn
+// is a large one about it. The step of pitch tells which, so that there are no borders besides those of steps.
+Turn snappedTurn(Vec3d forward, Vec3d right)
+{
+    if (const auto turn = snappedAboutY(forward, right, kTurnsOfCircle / 8)) return *turn;
+    const auto zUp = [](Vec3d v) { return Vec3d{v.y, v.z, v.x}; };
+    const auto fromZUp = [](Vec3d v) { return Vec3d{v.z, v.x, v.y}; };
+    const Turn turn = *snappedAboutY(zUp(forward), zUp(right), kTurnsOfCircle / 4);
+    return {fromZUp(turn.forward), fromZUp(turn.up)};
+}
+
+// From the eye to the four corners of the picture at the depth of 1. Needs a perspective view.
+std::array<Vec3d, 4> cornerRays(const Mat4d& clip, Vec3d forward)
+{
+    std::array<Vec3d, 4> rays;
+    const Vec3d w = xyz(clip.row(3));
+    for (int i = 0; i < 4; ++i) {
+        const double x = i & 1 ? 1 : -1, y = i & 2 ? 1 : -1;
+        const Vec3d ray = cross(xyz(clip.row(0)) - x * w, xyz(clip.row(1)) - y * w); // in the planes of two sides
+        rays[std::size_t(i)] = (1 / dot(ray, forward)) * ray;
+    }
+    return rays;
+}
+
+// The least depth of the near side, which is at a corner.
+double nearestOnRays(const View& view, const std::array<Vec3d, 4>& rays)
+{
+    const Vec4d fromNear = view.clipFromAnchored.row(2) + view.clipFromAnchored.row(3);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec3d& ray : rays)
+        nearest = std::min(nearest, -dot(fromNear, view.eyeAnchored) / dot(xyz(fromNear), ray));
+    return nearest;
+}
+
+// How far a picture reaches from its line of sight, to the side and upwards: radians.
 struct HalfAngles
 {
     double side = 0, up = 0;
 };
 
-HalfAngles halfAngles(const std::array<Vec3d, 4>& fromEye, Vec3d forward, Vec3d right)
+// Those of a picture around the line of sight that holds it, rounded up. Jitter moves the picture's middle, and half its extent not at all:
+// a middle within half a pixel counts as half a pixel, one farther off in coarse steps besides, which jitter seldom crosses.
+HalfAngles halfAngles(const View& view, const std::array<Vec3d, 4>& rays, Vec3d right, Vec3d up)
 {
-    const Vec3d up = cross(right, forward);
-    HalfAngles half;
-    for (const Vec3d& corner : fromEye) {
-        half.side = std::max(half.side, std::atan2(std::abs(dot(corner, right)), dot(corner, forward)));
-        half.up = std::max(half.up, std::atan2(std::abs(dot(corner, up)), dot(corner, forward)));
-    }
-    const auto roundedUp = [](double angle) { return kAngleGrid * std::ceil(angle / kAngleGrid); };
-    return {roundedUp(half.side), roundedUp(half.up)};
+    const auto along = [&](Vec3d axis, int pixels) {
+        double least = std::numeric_limits<double>::infinity(), most = -least;
+        for (const Vec3d& ray : rays) {
+            least = std::min(least, dot(ray, axis));
+            most = std::max(most, dot(ray, axis));
+        }
+        const double extent = 0.5 * (most - least), middle = 0.5 * std::abs(most + least);
+        const double jitter = kJitter * 2 * extent / pixels, step = kOffCentreStep * extent;
+        const double reach = extent + jitter + step * std::ceil(std::max(middle - jitter, 0.0) / step);
+        return kAngleGrid * std::ceil(std::atan(reach) / kAngleGrid + kAboveAngle);
+    };
+    return {along(right, view.width), along(up, view.height)};
 }
 
-// Those of a picture that still holds the other when they are turned apart by half a step of yaw and pitch, whose axes are at right
-// angles, and of roll. A side plane tilted by t lets in directions at an angle e above its middle by asin(sin t cos e) only, so it is
-// tilted by asin(sin(turn) / cos e).
+// Those of a picture that still holds the other when they are turned apart by half a step of roll, which moves its corners by that
+// times their sine, and then of yaw and pitch, whose axes are at right angles. A side plane tilted by t lets in directions at an angle e
+// above its middle by asin(sin t cos e) only, so it is tilted by asin(sin(turn) / cos e).
 HalfAngles widened(const HalfAngles& half)
 {
     const double corner = std::atan(std::hypot(std::tan(half.side), std::tan(half.up)));
@@ -197,24 +258,22 @@ DepthSpan stableDepths(const FitInput& input)
 std::optional<View> heldView(const View& view, double gridStep)
 {
     const ViewDepth depth = viewDepth(view, view.anchorWorld);
-    const auto anchoredFromClip = inverse(view.clipFromAnchored);
-    if (!depth.isPerspective || !anchoredFromClip || !(gridStep > 0)) return std::nullopt;
+    if (!depth.isPerspective || !(gridStep > 0)) return std::nullopt;
 
-    const Vec3d eye = xyz(view.eyeAnchored);
-    std::array<Vec3d, 4> corners = cornersAt(*anchoredFromClip, depth, 1);
-    for (Vec3d& corner : corners) corner = corner - eye;
-    const Vec3d right = normalized(corners[1] - corners[0]);
-    const HalfAngles half = widened(halfAngles(corners, depth.forward, right));
-    if (std::max(half.side, half.up) > kWidestHeld) return std::nullopt;
+    const std::array<Vec3d, 4> rays = cornerRays(view.clipFromAnchored, depth.forward);
+    const Vec3d right = normalized(rays[1] - rays[0]);
+    const HalfAngles half = widened(halfAngles(view, rays, right, cross(right, depth.forward)));
+    const double nearest = std::max(1e-9 * gridStep, nearestOnRays(view, rays));
+    if (!(half.side <= kWidestHeld) || !(half.up <= kWidestHeld) || !std::isfinite(nearest)) return std::nullopt;
 
     // From an eye so far back that half a step aside along all three axes stays inside. What the camera sees is at least as far before it
     // as that eye is behind such a step; nothing nearer may make the map's perspective stronger. Half of the near depth: a corner
     // of the near side lies less deep for a camera that looks a step aside.
     const Turn turned = snappedTurn(depth.forward, right);
     const double aside = std::sqrt(0.75) * gridStep, back = aside / std::sin(std::min(half.side, half.up));
-    const Vec3d held = snapped(view.anchorWorld + eye, gridStep) - back * turned.forward;
-    const double nearest = std::max(betweenSides(*anchoredFromClip, depth).nearest, 1e-3 * gridStep);
-    const double near = back - aside + std::exp2(std::floor(std::log2(nearest)) - 1);
+    const Vec3d held = snapped(view.anchorWorld + xyz(view.eyeAnchored), gridStep) - back * turned.forward;
+    const double octave = std::floor(std::log2(nearest) + kBelowOctave) - kBelowOctave;
+    const double near = back - aside + std::exp2(octave - 1);
     View result = perspectiveView(held, held + turned.forward, turned.up, 2 * half.up, near,
                                   std::numeric_limits<double>::infinity(), view.height, view.height);
     for (double& x : result.clipFromAnchored.m[0]) x *= std::tan(half.up) / std::tan(half.side);

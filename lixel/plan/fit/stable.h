@@ -18,16 +18,16 @@ namespace lixel {
 FitResult fitStable(const FitInput& input);
 
 // For fits whose perspective follows the camera: the fit of a held view, which stays as it is while the camera moves within a
-// step of a grid (1/20 of the scene's diagonal) and turns within a step of 1/14 radian of yaw, pitch and roll, as long as the
-// view's opening and near side stay, and holds every such view. At a step all of the map changes. Cells that follow the camera
-// would move such maps with it: it is for all of space. `fit` finds scratch.points filled with what the held view sees, and no view
-// samples, which would change from frame to frame.
+// step of a grid (1/20 of the scene's diagonal) and turns within a step of 1/88 circle (1/14 radian) of yaw, pitch and roll, as long as
+// the scene's diagonal and the view's opening and near side stay, and holds every such view. Jitter, of up to half a pixel, is no
+// change. At a step all of the map changes. Cells that follow the camera would move such maps with it: it is for all of space. `fit`
+// finds scratch.points filled with what the held view sees, and no view samples, which would change from frame to frame.
 //
 //   Refuses  as the fit of the held view, which sees more than the camera
-//   Limits   a camera that sways across a border of steps changes the map each time. Borders are where views often are: angles
-//            are about the world's y axis, so a camera that looks along it crosses steps with every small turn, one that looks
-//            exactly along -z stands between two; so does an opening of a multiple of 1/256 radian, jitter on one near it, and a near side
-//            at a power of two
+//   Limits   a camera that sways across a border of steps changes the map each time. Borders are half a step from views along the
+//            world's axes, half-way between two of them, and upright with y or z up: a yaw of 1/16 circle is one, as is half a step from
+//            any multiple of the step in the world, and a near side of 0.76 of a power of two. Pictures off centre by more than jitter
+//            have one every 1/64 of their side, which jitter may cross
 FitResult fitHeld(const FitInput& input, FitResult (*fit)(const FitInput&));
 
 // How deep a camera in the scene may ever see, whichever way it looks: between the view's near side and its far side, or the scene's

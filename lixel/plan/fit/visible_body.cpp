@@ -53,10 +53,17 @@ void addReached(const FitInput& input, BodyPlanes& planes)
 
 // A spot inside the scene is a corner of what it reaches. The cone of directions is spanned by the other corners.
 // A region that begins at the light may have no others.
-void dropPointsAt(Vec3d lightLocal, double sceneSize, std::vector<Vec3d>& points)
+void dropPointsAt(Vec3d lightLocal, double least, std::vector<Vec3d>& points)
 {
-    const double least = 1e-9 * (sceneSize + length(lightLocal)); // above the rounding of clipping
     std::erase_if(points, [&](Vec3d p) { return squaredDistance(p, lightLocal) <= least * least; });
+}
+
+// Whether some point of the box may be so near to p, or is by rounding.
+bool isNear(const Box& box, Vec3d p, double least)
+{
+    const double room = 2 * least;
+    return box.min.x - room <= p.x && p.x <= box.max.x + room && box.min.y - room <= p.y && p.y <= box.max.y + room &&
+           box.min.z - room <= p.z && p.z <= box.max.z + room;
 }
 
 // Whether a ball around the box lies within a spot's cone: then none of the planes around the cone needs asking.
@@ -92,13 +99,16 @@ void findPoints(const FitInput& input, const BodyPlanes& planes, std::vector<Vec
     points.clear();
     const ConeTest cone(input.light, input.originWorld);
     const std::span<const Plane> all{planes.data(), planes.size()};
+    const Vec3d lightLocal = input.light.positionWorld - input.originWorld;
+    const double atLight = 1e-9 * (input.sceneLocal.diagonal() + length(lightLocal)); // above the rounding of clipping
+    bool isLightNear = false;
     for (const Box& boxWorld : input.casterBoxesWorld) {
         if (boxWorld.isEmpty()) continue;
         const Box box = translated(boxWorld, -input.originWorld);
+        isLightNear |= isNear(box, lightLocal, atLight);
         appendClippedBox(box, cone.holds(box) ? all.first(all.size() - kConeSides) : all, points);
     }
-    if (input.light.kind != LightKind::Directional)
-        dropPointsAt(input.light.positionWorld - input.originWorld, input.sceneLocal.diagonal(), points);
+    if (isLightNear && input.light.kind != LightKind::Directional) dropPointsAt(lightLocal, atLight, points);
 }
 
 // A corner of a box that is being cut, and the planes it lies on: bits 0 to 5 the box's, then those that cut it.
