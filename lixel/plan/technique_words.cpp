@@ -95,8 +95,7 @@ constexpr std::array<TechniqueWord, 36> kWords{{
      "share of the square of lixels that the technique's lookup averages over that is lit, on the sample's plane: what "
      "its filter "
      "stands for; rays = 1, 4, ..., 1024 a sample",
-     "", "those of the technique",
-     "whatever the technique refuses; bilinear, which is rounded; rotated and jittered kernels"},
+     "", "those of the technique", "whatever the technique refuses; bilinear, which is rounded"},
     {"no map", "shadow-volumes", "volumes from silhouettes, counted in the stencil behind what is seen; with gl only",
      "Crow 1977; Everitt, Kilgard 2002; Kim et al. 2008", "all", "masked-casters, parallel-view"},
     {"preset", "paper:rtw, now, now-dv, min-sm",

@@ -21,10 +21,20 @@ using test::planOf;
 using test::RandomSetup;
 using test::Rng;
 
-View viewFrom(Vec3d eye, double yaw, double pitch)
+View viewFrom(Vec3d eye, double yaw, double pitch, double fovy = 1)
 {
     const Vec3d forward{std::cos(pitch) * std::cos(yaw), std::sin(pitch), std::cos(pitch) * std::sin(yaw)};
-    return perspectiveView(eye, eye + forward, {0, 1, 0}, 1, 0.1, 20, 640, 480);
+    return perspectiveView(eye, eye + forward, {0, 1, 0}, fovy, 0.1, 20, 640, 480);
+}
+
+// Shifted by up to half a pixel.
+View jittered(View view, Rng& rng)
+{
+    const double shift[] = {rng.uniform(-1, 1) / view.width, rng.uniform(-1, 1) / view.height};
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 4; ++column)
+            view.clipFromAnchored.m[row][column] += shift[row] * view.clipFromAnchored.m[3][column];
+    return view;
 }
 
 // The lixel of a point fixed in the world, as a frame's map has it.
@@ -40,16 +50,18 @@ class Crawl : public testing::TestWithParam<const char*>
 {
 };
 
-TEST_P(Crawl, MovingAndTurningTheCameraMovesTheMapByWholeLixels)
+TEST_P(Crawl, MovingTurningAndJitteringTheCameraMovesTheMapByWholeLixels)
 {
     int tried = 0;
     forEachCase(test::kCases, [&](Rng& rng) {
         RandomSetup setup = ordinarySetup(rng);
         const Vec3d eye = setup.view.anchorWorld;
-        setup.view = viewFrom(eye, rng.uniform(0, 6), rng.uniform(-0.3, 0.3));
+        const double fovy = rng.uniform(0.3, 1.6);
+        setup.view = viewFrom(eye, rng.uniform(0, 6), rng.uniform(-0.3, 0.3), fovy);
         const FramePlan first = planOf(setup, GetParam());
         const Vec3d moved = eye + rng.inBox(0.02 * setup.radius);
-        setup.view = viewFrom({moved.x, eye.y, moved.z}, rng.uniform(0, 6), rng.uniform(-0.3, 0.3));
+        const Vec3d there{moved.x, eye.y, moved.z};
+        setup.view = jittered(viewFrom(there, rng.uniform(0, 6), rng.uniform(-0.3, 0.3), fovy), rng);
         setup.originWorld = {std::round(moved.x), 0, std::round(moved.z)};
         const FramePlan second = planOf(setup, GetParam());
         const bool hasCascades =

@@ -83,8 +83,17 @@ DepthSpan sliceOf(const FitInput& input, const ViewDepth& depth)
     return {slice.nearest, std::max(slice.nearest, slice.farthest)};
 }
 
-// The smallest sphere with its centre on the slice's axis that holds all eight corners, its radius rounded up a little so that
-// it does not change by rounding.
+// How far the middle of something of a picture is off the line of sight, as it counts: `jitter`, which is moved by that and no change,
+// and what is farther off in coarse steps besides, which jitter seldom crosses.
+double countedMiddle(double middle, double jitter, double extent)
+{
+    const double step = kOffCentreStep * extent;
+    return step > 0 ? jitter + step * std::ceil(std::max(middle - jitter, 0.0) / step) : jitter;
+}
+
+// A sphere with its centre on the slice's axis that holds all eight corners, the smallest but for the axis, which jitter moves: its
+// radius is of corners as far from the axis and along the line of sight as they are, and is rounded up a little so that it does not
+// change by rounding.
 std::optional<Sphere> sphereAround(const FitInput& input)
 {
     const auto localFromClip = inverse(clipFromLocal(input.view, input.originWorld));
@@ -100,10 +109,14 @@ std::optional<Sphere> sphereAround(const FitInput& input)
         return r;
     };
     const Vec3d from = middleOf(near), to = middleOf(far);
-    const double span = length(to - from), rn = farthestFrom(from, near), rf = farthestFrom(to, far);
+    const double span = last - first, rn = farthestFrom(from, near), rf = farthestFrom(to, far);
     const double share = span > 0 ? std::clamp(0.5 + (rf * rf - rn * rn) / (2 * span * span), 0.0, 1.0) : 0;
+    const double pixel = 2 * std::abs(rf - rn) / std::min(input.view.width, input.view.height);
+    const double aside = countedMiddle(length(to - from - span * depth.forward), pixel, std::abs(rf - rn));
+
     Sphere sphere{from + share * (to - from), 0};
-    sphere.radius = std::max(farthestFrom(sphere.centre, near), farthestFrom(sphere.centre, far));
+    sphere.radius = std::max(std::hypot(share * span, share * aside + rn),
+                             std::hypot((1 - share) * span, (1 - share) * aside + rf));
     int exponent = 0;
     const double mantissa = std::frexp(sphere.radius, &exponent);
     sphere.radius = std::ldexp(std::ceil(mantissa * 65536 + 0.5) / 65536, exponent);
@@ -182,8 +195,7 @@ struct HalfAngles
     double side = 0, up = 0;
 };
 
-// Those of a picture around the line of sight that holds it, rounded up. Jitter moves the picture's middle, and half its extent not at all:
-// a middle within half a pixel counts as half a pixel, one farther off in coarse steps besides, which jitter seldom crosses.
+// Those of a picture around the line of sight that holds it, rounded up. Jitter moves the picture's middle, and half its extent not at all.
 HalfAngles halfAngles(const View& view, const std::array<Vec3d, 4>& rays, Vec3d right, Vec3d up)
 {
     const auto along = [&](Vec3d axis, int pixels) {
@@ -193,8 +205,7 @@ HalfAngles halfAngles(const View& view, const std::array<Vec3d, 4>& rays, Vec3d 
             most = std::max(most, dot(ray, axis));
         }
         const double extent = 0.5 * (most - least), middle = 0.5 * std::abs(most + least);
-        const double jitter = kJitter * 2 * extent / pixels, step = kOffCentreStep * extent;
-        const double reach = extent + jitter + step * std::ceil(std::max(middle - jitter, 0.0) / step);
+        const double reach = extent + countedMiddle(middle, kJitter * 2 * extent / pixels, extent);
         return kAngleGrid * std::ceil(std::atan(reach) / kAngleGrid + kAboveAngle);
     };
     return {along(right, view.width), along(up, view.height)};

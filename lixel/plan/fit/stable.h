@@ -9,7 +9,7 @@
 namespace lixel {
 
 // focused(stable). Parallel light: the square around the sphere around the view frustum (the region's slice of it), whose size
-// does not change as the camera moves; place() moves it by whole lixels of a grid fixed in the world. Where the whole scene is no
+// does not change as the camera moves, nor by jitter of up to half a pixel; place() moves it by whole lixels of a grid fixed in the world. Where the whole scene is no
 // larger than that, and for lights at a point, it is the uniform map, which does not depend on the camera at all.
 //
 //   M. Valient. Stable Rendering of Cascaded Shadow Maps. ShaderX 6, 2008.
