@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `lixel compare`: numbers, pictures and the report.
+#include "report/in_browser.h"
 #include "report/sample_results.h"
 #include "report/schema_check.h"
 #include "run_command.h"
@@ -81,6 +82,16 @@ TEST_F(Compare, WritesResultsPicturesAndReport)
         for (const auto& [what, file] : pictures.items())
             EXPECT_EQ(readPng(out() / file.get<std::string>()).width(), 64) << what;
     }
+}
+
+TEST_F(Compare, ItsReportIsUsableInABrowser)
+{
+    if (const std::string missing = missingGraphics(folder_.path()); !missing.empty()) GTEST_SKIP() << missing;
+    compare({"bunnies", "--view", "overview", "--size", "128x128", "--lixels", "128x128", "--techniques",
+             "uniform,focused", "-o", "out"});
+    const InBrowser used = useInBrowser(out() / "report.html", "compare");
+    if (used == InBrowser::NoBrowser) GTEST_SKIP() << "needs chromium and chromedriver";
+    EXPECT_EQ(used, InBrowser::Usable);
 }
 
 TEST_F(Compare, RowsAreSortedAndTheirTechniquesReadBack)
