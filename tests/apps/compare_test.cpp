@@ -78,7 +78,7 @@ TEST_F(Compare, WritesResultsPicturesAndReport)
     ASSERT_EQ(rows.size(), 3u) << "exact stands beside every comparison";
     for (const Json& row : rows) {
         const Json& pictures = row.at("pictures");
-        EXPECT_EQ(pictures.size(), row.at("technique") == "exact" ? 2u : 3u);
+        EXPECT_EQ(pictures.size(), row.at("technique") == "exact" ? 2u : 4u);
         for (const auto& [what, file] : pictures.items())
             EXPECT_EQ(readPng(out() / file.get<std::string>()).width(), 64) << what;
     }

@@ -87,11 +87,21 @@ def error_overlay_toggles(page):
     check(red_pixels(page) == at_first, "with the overlay it is red again")
 
 
-def density_shows_with_its_legend(page):
+def maps_show_with_their_legends(page):
+    """Footprint and density, one at a time; both look other than the picture, and than each other."""
+    page.run("showPair(shown.group.at(-1), shown.group.find(row => row.density_lixels_per_pixel))")
+    drawn = (PIXELS + "return (async () => { await redraw();"
+             " return pixels(document.querySelector('#pane-right canvas')).join(); })()")
+    seen = {page.run(drawn)}
+    for name, words in (("footprint", "pixels a lixel"), ("density", "lixels a pixel")):
+        page.click(f"#show-{name}")
+        check(page.run("return document.querySelectorAll('#legend .ramp').length") == 1, "one map is shown at a time")
+        check(page.run("return document.querySelectorAll('#legend .ramp i').length") > 10, f"the {name} has a legend")
+        check(words in page.run("return document.getElementById('legend').innerText"), f"which says: {words}")
+        seen.add(page.run(drawn))
+    check(len(seen) == 3, "each map is drawn over the picture")
     page.click("#show-density")
-    check(page.run("return document.querySelectorAll('#legend .ramp i').length") > 10, "the density has a legend")
-    page.click("#show-density")
-    check(page.run("return document.querySelectorAll('#legend .ramp').length") == 0, "which goes with it")
+    check(page.run("return document.querySelectorAll('#legend .ramp').length") == 0, "the legend goes with its map")
 
 
 def zoom_works(page):
@@ -330,7 +340,7 @@ def console_is_quiet(page):
 
 STEPS = [
     pictures_appear, differences_become_whole_pictures, slider_moves, techniques_change, error_overlay_toggles,
-    density_shows_with_its_legend, zoom_works, next_view_opens, tables_sort, charts_show, flips_show, experiment_shows,
+    maps_show_with_their_legends, zoom_works, next_view_opens, tables_sort, charts_show, flips_show, experiment_shows,
     budgets_show, lookups_show,
     command_stands_there, refusals_are_told, fits_every_width, needs_nothing_from_outside, console_is_quiet,
 ]
