@@ -93,7 +93,7 @@ TEST(ErrorPicture, ShowsOnlyWhatIsWrong)
 // Cells 4 x 4 pixels: a square in each marked cell that is at no depth jump, of that light alone, and none beyond the picture.
 TEST(BoundaryPicture, MarksTheCellsThatTheEnergyIsMadeFrom)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         constexpr int kCells = 8, kSize = 32;
         Observation observed;
         observed.grid = {kCells, kCells};
