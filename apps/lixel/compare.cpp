@@ -166,7 +166,7 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
     const std::filesystem::path output = options.output;
     std::optional<ReportFolder> report;
     if (!options.output.empty()) report.emplace(output, !options.withoutPictures);
-    if (report && report->pictures) comparison.pictures = output;
+    if (report && !options.withoutPictures) comparison.pictures = report->writeTo();
     if (!options.json.empty()) expectWritable(options.json);
     const PathShooting path = isPath ? preparePath(options.picture, options.path) : PathShooting();
     const Shooting shooting = isPath ? path.shooting : prepare(options.picture, true);
@@ -181,8 +181,9 @@ int runCompare(const CompareOptions& options, const std::string& commandLine)
     const std::string json = toJson(results);
     if (!options.json.empty()) writeOrPrint(options.json, json);
     if (report) {
-        writeFileAtomically(output / "results.json", json);
-        writeReport(output, results);
+        writeFileAtomically(report->writeTo() / "results.json", json);
+        writeReport(report->writeTo(), results);
+        report->finish();
     }
     tellWarnings(*shooting.scene);
     // With JSON on standard output the table goes beside it.

@@ -46,15 +46,17 @@ Density densityOf(const ShotContext& context, const ShadowPlan& plan, std::size_
                   std::size_t step)
 {
     Density out;
-    out.lixelsPerPixel =
+    out.pixelsPerLixel = out.lixelsPerPixel =
         Image<float>(context.samples.width, context.samples.height, std::numeric_limits<float>::quiet_NaN());
     const ServedFootprints footprints(context.view, context.samples.originWorld, plan);
     for (std::size_t i = first; i < context.samples.size(); i += step) {
         if (context.truth.zones[light][i] == Zone::FacingAway) continue;
         const auto f = footprints.at(toDouble(context.samples.positionLocal[i]), toDouble(context.samples.normal[i]));
         if (!f) continue;
-        out.lixelsPerPixel(int(context.samples.pixel[i].x), int(context.samples.pixel[i].y)) = float(f->lixelsPerPixel);
-        out.pixelsPerLixel.push_back(f->pixelsPerLixel);
+        const int x = int(context.samples.pixel[i].x), y = int(context.samples.pixel[i].y);
+        out.pixelsPerLixel(x, y) = float(f->pixelsPerLixel);
+        out.lixelsPerPixel(x, y) = float(f->lixelsPerPixel);
+        out.pixelsPerLixelList.push_back(f->pixelsPerLixel);
         out.lixelsPerPixelList.push_back(f->lixelsPerPixel);
     }
     return out;
@@ -167,9 +169,11 @@ void addMap(const ShotContext& context, const FramePlan& plan, std::size_t light
         m.leftOut.push_back({nameOfPlane(left.plane, context, plan, light), std::string(nameOf(left.why))});
     const std::size_t step = pictures.isWanted() ? 1 : context.options.footprintStep;
     Density density = densityOf(context, plan.lights[light], light, 0, step);
-    if (pictures.isWanted())
+    if (pictures.isWanted()) {
+        m.pictures.footprint = pictures.write(footprintPicture(density.pixelsPerLixel), lightName + "-footprint");
         m.pictures.density = pictures.write(densityPicture(density.lixelsPerPixel), lightName + "-density");
-    m.footprintPixelsPerLixel = percentiles(std::move(density.pixelsPerLixel));
+    }
+    m.footprintPixelsPerLixel = percentiles(std::move(density.pixelsPerLixelList));
     m.densityLixelsPerPixel = percentiles(std::move(density.lixelsPerPixelList));
 }
 

@@ -91,8 +91,8 @@ Agreement agreementWith(std::string_view other, const ExecutorAgreement& a, cons
 // Footprint and density of light-facing samples that the light's map serves.
 struct Density
 {
-    Image<float> lixelsPerPixel; // NaN where there is none
-    std::vector<double> pixelsPerLixel, lixelsPerPixelList;
+    Image<float> pixelsPerLixel, lixelsPerPixel; // NaN where there is none
+    std::vector<double> pixelsPerLixelList, lixelsPerPixelList;
 };
 
 // Of every `step`-th sample, the one with number `first` among them.

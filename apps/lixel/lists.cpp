@@ -3,9 +3,12 @@
 #include "exit_code.h"
 #include "lixel/plan/technique.h"
 #include "lixel/scene/builtin.h"
+#include "lixel/scene/evaluate.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <span>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -33,6 +36,12 @@ int printTechniques()
     return kDone;
 }
 
+bool movesLight(std::span<const PathKey> path)
+{
+    return std::ranges::any_of(path,
+                               [](const PathKey& key) { return key.lightPositionWorld || key.lightDirectionWorld; });
+}
+
 int printScenes(const std::string& only)
 {
     bool found = only.empty();
@@ -44,7 +53,13 @@ int printScenes(const std::string& only)
             fmt::print("{:<11}   {}={:.0f}  {} ({:.0f} to {:.0f})\n", "", p.name, p.standard, p.meaning, p.least,
                        p.most);
         if (only.empty()) continue;
-        const Scene scene = *buildBuiltin(std::string(builtin.name));
+        const auto built = std::make_shared<const Scene>(*buildBuiltin(std::string(builtin.name)));
+        const Scene& scene = *built;
+        fmt::print("{:<11}   {} triangles\n", "", evaluate(built, {}, {}).triangles.triangleCount());
+        if (!scene.path.empty())
+            fmt::print("  --path   camera{} from {:g} s to {:g} s, by {} keys\n",
+                       movesLight(scene.path) ? " and light" : "", scene.path.front().time, scene.path.back().time,
+                       scene.path.size());
         for (const NamedView& view : scene.views) {
             std::string lights;
             for (const Light& light : view.lights) lights += (lights.empty() ? "" : ", ") + light.name;
@@ -53,7 +68,8 @@ int printScenes(const std::string& only)
     }
     if (!found) throw UsageError(fmt::format("scene \"{}\" is not built in (lixel scenes)", only));
     if (only.empty())
-        fmt::print("\nlixel scenes NAME lists its views. Any other SCENE is a .gltf, .glb or .obj file.\n");
+        fmt::print("\nlixel scenes NAME lists its views, its path and how large it is. Any other SCENE is a .gltf, "
+                   ".glb or .obj file.\n");
     return kDone;
 }
 
@@ -68,7 +84,8 @@ Command addTechniques(CLI::App& parent)
 Command addScenes(CLI::App& parent)
 {
     auto only = std::make_shared<std::string>();
-    CLI::App* app = parent.add_subcommand("scenes", "the built-in scenes; with a name, its views and lights");
+    CLI::App* app =
+        parent.add_subcommand("scenes", "the built-in scenes; with a name, its size, path, views and lights");
     app->add_option("NAME", *only, "one of them");
     return {app, [only] { return printScenes(*only); }};
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output.h"
 
-#include "lixel/report/write_file.h"
-
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
@@ -42,10 +40,18 @@ OutputFolder::~OutputFolder()
     for (const fs::path& folder : made_) fs::remove(folder, stays);
 }
 
-ReportFolder::ReportFolder(const std::filesystem::path& path, bool withPictures) : folder(path)
+ReportFolder::ReportFolder(const std::filesystem::path& path, bool withPictures) : folder_(path)
 {
-    if (withPictures) pictures.emplace(path / "pictures");
+    if (withPictures) pictures_.emplace(path / "pictures");
     for (const char* name : {"results.json", "report.html"}) expectWritable(path / name);
+    if (!withPictures) return;
+    staged_.emplace(path);
+    staged_->makeFolder("pictures");
+}
+
+void ReportFolder::finish()
+{
+    if (staged_) staged_->commit();
 }
 
 void writeOrPrint(const fs::path& path, std::string_view bytes)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lixel/report/write_file.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -29,12 +31,20 @@ private:
     std::vector<std::filesystem::path> made_; // from the innermost
 };
 
-// The folder of the report and what it will hold, asked for before the work begins.
-struct ReportFolder
+// The folder of the report and what it will hold, asked for before the work begins. With pictures all is written to
+// writeTo(), and takes its place at the end: whoever breaks off keeps the report that was there.
+class ReportFolder
 {
+public:
     ReportFolder(const std::filesystem::path& path, bool withPictures); // throws OutputError
-    OutputFolder folder;
-    std::optional<OutputFolder> pictures;
+
+    const std::filesystem::path& writeTo() const { return staged_ ? staged_->path() : folder_.path(); }
+    void finish(); // throws OutputError
+
+private:
+    OutputFolder folder_;
+    std::optional<OutputFolder> pictures_;
+    std::optional<StagedFolder> staged_;
 };
 
 // To a file, whole or not at all, or to standard output for "-". Throws OutputError.

@@ -59,7 +59,7 @@ void PathRow::addMap(std::int64_t lixels, std::int64_t bytesPerLixel)
 void PathRow::add(const Density& density)
 {
     const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
-    append(pixelsPerLixel_, density.pixelsPerLixel);
+    append(pixelsPerLixel_, density.pixelsPerLixelList);
     append(lixelsPerPixel_, density.lixelsPerPixelList);
 }
 

@@ -109,10 +109,11 @@ Reproduction reproduced(const Experiment& experiment, ExperimentOptions asked, c
     return reproduction;
 }
 
-void writeInto(const std::filesystem::path& folder, const Reproduction& reproduction)
+void writeInto(ReportFolder& report, const Reproduction& reproduction)
 {
-    writeFileAtomically(folder / "results.json", toJson(reproduction));
-    writeReport(folder, reproduction);
+    writeFileAtomically(report.writeTo() / "results.json", toJson(reproduction));
+    writeReport(report.writeTo(), reproduction);
+    report.finish();
 }
 
 int runOne(const Experiment& experiment, const ReproduceOptions& options, const std::string& commandLine)
@@ -120,17 +121,19 @@ int runOne(const Experiment& experiment, const ReproduceOptions& options, const 
     if (options.output == "-") throw UsageError("reproduce -o -: expected the name of a folder");
     ExperimentOptions asked = options.experiment;
     expectTakes(experiment, asked);
-    asked.pictures = options.output;
     std::optional<ReportFolder> report;
-    if (!options.output.empty()) report.emplace(options.output, true);
+    if (!options.output.empty()) {
+        report.emplace(options.output, true);
+        asked.pictures = report->writeTo();
+    }
     if (!options.json.empty()) expectWritable(options.json);
     const Reproduction reproduction = reproduced(experiment, asked, commandLine);
     if (!options.json.empty()) writeOrPrint(options.json, toJson(reproduction));
     std::FILE* const told = options.json == "-" ? stderr : stdout;
-    if (report) writeInto(asked.pictures, reproduction);
+    if (report) writeInto(*report, reproduction);
     printNumbers(reproduction, told);
     printClaims(reproduction.claims, told);
-    if (report) fmt::print(told, "report: {}\n", (asked.pictures / "report.html").string());
+    if (report) fmt::print(told, "report: {}\n", (std::filesystem::path(options.output) / "report.html").string());
     return kDone;
 }
 
@@ -156,10 +159,10 @@ int runAll(const ReproduceOptions& options, const std::string& commandLine)
         const Stopwatch one;
         try {
             ExperimentOptions asked = given;
-            asked.pictures = folder.path() / experiment.name;
-            const ReportFolder report(asked.pictures, true);
+            ReportFolder report(folder.path() / experiment.name, true);
+            asked.pictures = report.writeTo();
             const Reproduction reproduction = reproduced(experiment, asked, commandLine);
-            writeInto(asked.pictures, reproduction);
+            writeInto(report, reproduction);
             entry.claims = reproduction.claims;
             host = reproduction.run.timing.host;
         } catch (const UsageError& error) { // scenes that are not there

@@ -18,6 +18,9 @@ Image<Rgba8> coloured(const Image<T>& values, F colourOf)
     return picture;
 }
 
+// A table of 16 colours an octave fits in a palette, which makes small files of smooth pictures.
+double inSteps(double value) { return value > 0 ? std::exp2(std::round(16 * std::log2(value)) / 16) : value; }
+
 } // namespace
 
 Rgba8 verdictColour(Verdict verdict)
@@ -49,15 +52,18 @@ Rgba8 densityColour(double lixelsPerPixel)
     return {byte(colour.x), byte(colour.y), byte(colour.z), 255};
 }
 
+Rgba8 footprintColour(double pixelsPerLixel) { return densityColour(1 / pixelsPerLixel); }
+
 Image<Rgba8> errorPicture(const Image<Verdict>& verdicts) { return coloured(verdicts, verdictColour); }
 
 Image<Rgba8> densityPicture(const Image<float>& lixelsPerPixel)
 {
-    // A table of 16 colours an octave fits in a palette, which makes small files of smooth pictures.
-    return coloured(lixelsPerPixel, [](float value) {
-        return value > 0 ? densityColour(std::exp2(std::round(16 * std::log2(double(value))) / 16))
-                         : densityColour(value);
-    });
+    return coloured(lixelsPerPixel, [](float value) { return densityColour(inSteps(value)); });
+}
+
+Image<Rgba8> footprintPicture(const Image<float>& pixelsPerLixel)
+{
+    return coloured(pixelsPerLixel, [](float value) { return footprintColour(inSteps(value)); });
 }
 
 Image<Rgba8> boundaryPicture(const Observation& observed, std::size_t light)

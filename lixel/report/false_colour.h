@@ -17,11 +17,15 @@ Rgba8 verdictColour(Verdict verdict);
 inline constexpr int kDensityOctaves = 6;
 Rgba8 densityColour(double lixelsPerPixel);
 
+// The same scale of lengths, the other way round: red where a lixel is many pixels long, from 2^kDensityOctaves.
+Rgba8 footprintColour(double pixelsPerLixel);
+
 // Transparent where nothing is wrong: laid over the shaded picture.
 Image<Rgba8> errorPicture(const Image<Verdict>& verdicts);
 
 // Transparent where the value is NaN: no surface, or no lixel serves it.
 Image<Rgba8> densityPicture(const Image<float>& lixelsPerPixel);
+Image<Rgba8> footprintPicture(const Image<float>& pixelsPerLixel);
 
 // The observed samples near shadow boundaries of a light, those at depth jumps left out, as a square in each one's cell;
 // transparent elsewhere. Figure 2 of H. Chong, S. Gortler, Scene Optimized Shadow Mapping, 2007, over the shaded picture.

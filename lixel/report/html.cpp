@@ -89,9 +89,10 @@ public:
         if (!measured) return;
         const PictureFiles& pictures = measured->pictures;
         if (!pictures.shaded.empty()) writeShaded(row, of, folder_ / pictures.shaded);
-        if (!pictures.error.empty()) writeElement(idOf(row, "error"), "", bytesOf(folder_ / pictures.error));
-        if (!pictures.density.empty()) writeElement(idOf(row, "density"), "", bytesOf(folder_ / pictures.density));
-        if (!pictures.boundary.empty()) writeElement(idOf(row, "boundary"), "", bytesOf(folder_ / pictures.boundary));
+        writeOverlay(row, "error", pictures.error);
+        writeOverlay(row, "footprint", pictures.footprint);
+        writeOverlay(row, "density", pictures.density);
+        writeOverlay(row, "boundary", pictures.boundary);
     }
 
 private:
@@ -102,6 +103,11 @@ private:
     };
 
     static std::string idOf(std::size_t row, std::string_view kind) { return fmt::format("picture-{}-{}", row, kind); }
+
+    void writeOverlay(std::size_t row, std::string_view kind, const std::string& file)
+    {
+        if (!file.empty()) writeElement(idOf(row, kind), "", bytesOf(folder_ / file));
+    }
 
     void writeShaded(std::size_t row, const ResultRow& of, const fs::path& path)
     {

@@ -77,6 +77,7 @@ Json pictures(const PictureFiles& files)
     Json json = Json::object();
     if (!files.shaded.empty()) json["shaded"] = files.shaded;
     if (!files.error.empty()) json["error"] = files.error;
+    if (!files.footprint.empty()) json["footprint"] = files.footprint;
     if (!files.density.empty()) json["density"] = files.density;
     if (!files.boundary.empty()) json["boundary"] = files.boundary;
     return json;

@@ -65,10 +65,11 @@ struct Temporal
 // Files of the run's folder, relative to it; empty: not made.
 struct PictureFiles
 {
-    std::string shaded;   // the picture with this technique's shadows
-    std::string error;    // errorPicture() of false_colour.h
-    std::string density;  // densityPicture() of false_colour.h
-    std::string boundary; // boundaryPicture() of false_colour.h: what the plan was told
+    std::string shaded;    // the picture with this technique's shadows
+    std::string error;     // errorPicture() of false_colour.h
+    std::string footprint; // footprintPicture() of false_colour.h
+    std::string density;   // densityPicture() of false_colour.h
+    std::string boundary;  // boundaryPicture() of false_colour.h: what the plan was told
 };
 
 struct PassTime

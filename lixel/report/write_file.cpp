@@ -8,9 +8,14 @@
 #include <climits>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -40,6 +45,30 @@ int reserveSlot(const std::string& path)
         return slot;
     }
     return -1;
+}
+
+// What is staged, the newest first, for the signal handler too: a name that is linked stays as it is until the process ends.
+struct StagedName
+{
+    std::string path;
+    StagedName* older;
+};
+std::atomic<StagedName*> stagedNames{nullptr};
+static_assert(std::atomic<StagedName*>::is_always_lock_free);
+
+constexpr std::string_view kStagedPrefix = ".lixel-staged-";
+
+bool isStaged(const fs::path& path)
+{
+    return path.native().find("/" + std::string(kStagedPrefix)) != std::string::npos;
+}
+
+// Before it is there, so that none can slip through.
+void noteStaged(const fs::path& path)
+{
+    auto* const name = new StagedName{path.native(), stagedNames.load()};
+    while (!stagedNames.compare_exchange_weak(name->older, name)) {
+    }
 }
 
 std::string reasonOf(int errorNumber) { return std::generic_category().message(errorNumber); }
@@ -112,6 +141,7 @@ void AtomicFile::commit()
     descriptor_ = -1;
     if (closed != 0) fail(errno);
     if (slot_ < 0) return;
+    if (isStaged(target_)) noteStaged(target_);
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     pendingFiles[slot_].state.store(PendingFile::Free);
     slot_ = -1;
@@ -148,10 +178,64 @@ void makeFolder(const fs::path& path)
     if (!fs::is_directory(path)) throw OutputError(path, reasonOf(ENOTDIR));
 }
 
+StagedFolder::StagedFolder(const fs::path& folder) : folder_(fs::absolute(folder))
+{
+    static std::atomic<unsigned> count{0};
+    path_ = folder_ / (std::string(kStagedPrefix) + std::to_string(getpid()) + "-" + std::to_string(count++));
+    makeFolder("");
+}
+
+StagedFolder::~StagedFolder()
+{
+    std::error_code stays;
+    fs::remove_all(path_, stays);
+}
+
+void StagedFolder::makeFolder(const std::string& name)
+{
+    const fs::path made = name.empty() ? path_ : path_ / name;
+    noteStaged(made);
+    lixel::makeFolder(made);
+}
+
+void StagedFolder::commit()
+{
+    struct Move
+    {
+        fs::path from, to;
+        bool isInPlace; // a device is written to
+    };
+    std::vector<Move> ofFolder, below;
+    for (const auto& entry : fs::recursive_directory_iterator(path_)) {
+        fs::path place = folder_ / entry.path().lexically_relative(path_);
+        std::error_code error;
+        if (fs::is_symlink(fs::symlink_status(place, error))) place = fs::weakly_canonical(place, error);
+        if (error && error != std::errc::no_such_file_or_directory) throw OutputError(place, error.message());
+        if (entry.is_directory()) {
+            lixel::makeFolder(place);
+            continue;
+        }
+        const bool isDevice = fs::exists(place, error) && !fs::is_regular_file(place, error);
+        (entry.path().parent_path() == path_ ? ofFolder : below).push_back({entry.path(), place, isDevice});
+    }
+    for (const Move& move : ofFolder)
+        if (!move.isInPlace && unlink(move.to.c_str()) != 0 && errno != ENOENT)
+            throw OutputError(move.to, reasonOf(errno));
+    for (const auto* const moves : {&below, &ofFolder})
+        for (const auto& [from, to, isInPlace] : *moves) {
+            if (!isInPlace && std::rename(from.c_str(), to.c_str()) == 0) continue;
+            std::ifstream file(from, std::ios::binary); // to a link into another file system, too
+            writeFileAtomically(to, std::string(std::istreambuf_iterator<char>(file), {}));
+        }
+}
+
 void removePendingFiles() noexcept
 {
     for (PendingFile& pending : pendingFiles)
         if (pending.state.load() == PendingFile::Named) unlink(pending.path);
+    // Files come after their folders, that is, before them in the list.
+    for (const StagedName* name = stagedNames.load(); name; name = name->older)
+        if (unlink(name->path.c_str()) != 0) rmdir(name->path.c_str());
 }
 
 } // namespace lixel

@@ -45,7 +45,28 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view byt
 // Makes the folder and those above it; throws OutputError. Nothing is wrong when it is there already.
 void makeFolder(const std::filesystem::path& path);
 
-// Removes the temporary files of every AtomicFile that is still open, in all threads. Safe to call in a signal handler;
+// Files that take their places together, so that none of an earlier run stands beside those of a later one: they are written
+// below path(), a hidden folder in `folder`. Without commit() nothing is left of them, and `folder` stays as it was.
+class StagedFolder
+{
+public:
+    explicit StagedFolder(const std::filesystem::path& folder); // which must be there; throws OutputError
+    StagedFolder(const StagedFolder&) = delete;
+    StagedFolder& operator=(const StagedFolder&) = delete;
+    ~StagedFolder();
+
+    const std::filesystem::path& path() const { return path_; }
+    void makeFolder(const std::string& name); // in it; throws OutputError
+
+    // Files of `folder` itself that are replaced go first, and come last: a report never stands beside pictures of
+    // another run. Throws OutputError.
+    void commit();
+
+private:
+    std::filesystem::path folder_, path_;
+};
+
+// Removes the temporary files of every AtomicFile that is still open, in all threads, and those that are staged. Safe to call in a signal handler;
 // the process must end after it.
 void removePendingFiles() noexcept;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `lixel compare`: numbers, pictures and the report.
+#include "report/in_browser.h"
 #include "report/sample_results.h"
 #include "report/schema_check.h"
 #include "run_command.h"
@@ -13,6 +14,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <system_error>
 #include <tuple>
 
 namespace lixel::test {
@@ -77,10 +80,20 @@ TEST_F(Compare, WritesResultsPicturesAndReport)
     ASSERT_EQ(rows.size(), 3u) << "exact stands beside every comparison";
     for (const Json& row : rows) {
         const Json& pictures = row.at("pictures");
-        EXPECT_EQ(pictures.size(), row.at("technique") == "exact" ? 2u : 3u);
+        EXPECT_EQ(pictures.size(), row.at("technique") == "exact" ? 2u : 4u);
         for (const auto& [what, file] : pictures.items())
             EXPECT_EQ(readPng(out() / file.get<std::string>()).width(), 64) << what;
     }
+}
+
+TEST_F(Compare, ItsReportIsUsableInABrowser)
+{
+    if (const std::string missing = missingGraphics(folder_.path()); !missing.empty()) GTEST_SKIP() << missing;
+    compare({"bunnies", "--view", "overview", "--size", "128x128", "--lixels", "128x128", "--techniques",
+             "uniform,focused", "-o", "out"});
+    const InBrowser used = useInBrowser(out() / "report.html", "compare");
+    if (used == InBrowser::NoBrowser) GTEST_SKIP() << "needs chromium and chromedriver";
+    EXPECT_EQ(used, InBrowser::Usable);
 }
 
 TEST_F(Compare, RowsAreSortedAndTheirTechniquesReadBack)
@@ -250,21 +263,57 @@ TEST_F(Compare, RefusedLightsHaveRowsWithTheReason)
     EXPECT_TRUE(fs::exists(out() / "report.html"));
 }
 
-TEST_F(Compare, AnInterruptionLeavesNoBrokenFile)
+// Every file below the folder, hidden ones too, with its bytes.
+std::map<std::string, std::string> filesBelow(const fs::path& folder)
 {
-    const auto pictures = [&] { return fs::exists(out() / "pictures") && !fs::is_empty(out() / "pictures"); };
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (!entry.is_directory()) files[entry.path().string()] = readWhole(entry.path());
+    return files;
+}
+
+// Files come and go while it looks.
+int picturesBelow(const fs::path& folder)
+{
+    int count = 0;
+    std::error_code gone;
+    for (auto at = fs::recursive_directory_iterator(folder, gone); !gone && at != fs::recursive_directory_iterator();
+         at.increment(gone))
+        count += at->path().extension() == ".png";
+    return count;
+}
+
+TEST_F(Compare, AnInterruptionLeavesNothing)
+{
     CommandOptions options;
     options.folder = folder_.path();
-    options.interruptWhen = pictures;
+    options.interruptWhen = [&] { return picturesBelow(out()) > 1; };
     const CommandResult run =
         runLixel({"compare", "table", "--size", "512x512", "--executor", "trace", "-o", "out"}, options);
     EXPECT_EQ(run.exitCode, 130);
     EXPECT_EQ(run.err, "lixel: interrupted\n");
-    for (const auto& entry : fs::recursive_directory_iterator(out())) {
-        if (entry.is_directory()) continue;
-        ASSERT_EQ(entry.path().extension(), ".png") << entry.path();
-        EXPECT_EQ(readPng(entry.path()).width(), 512);
-    }
+    EXPECT_TRUE(filesBelow(out()).empty());
+}
+
+TEST_F(Compare, AnInterruptionLeavesTheResultsOfAnOlderRunAsTheyWere)
+{
+    compareTable({"--view", "overview"});
+    const auto before = filesBelow(out());
+    const int pictures = picturesBelow(out());
+    ASSERT_GT(pictures, 0);
+    CommandOptions options;
+    options.folder = folder_.path();
+    options.interruptWhen = [&] { return picturesBelow(out()) > pictures + 1; };
+    const CommandResult run =
+        runLixel({"compare", "table", "--size", "512x512", "--executor", "trace", "-o", "out"}, options);
+    EXPECT_EQ(run.exitCode, 130);
+    EXPECT_EQ(filesBelow(out()), before);
+
+    // One that ends leaves no folder of its own.
+    compareTable({"--view", "overview", "--techniques", "focused"});
+    for (const auto& entry : fs::directory_iterator(out()))
+        EXPECT_FALSE(entry.path().filename().string().starts_with("."));
+    EXPECT_EQ(results().size(), 2u);
 }
 
 } // namespace

@@ -4,8 +4,11 @@
 
 #include "lixel/plan/technique.h"
 #include "lixel/scene/builtin.h"
+#include "lixel/scene/evaluate.h"
 
 #include <gtest/gtest.h>
+
+#include <memory>
 
 namespace lixel::test {
 namespace {
@@ -66,6 +69,19 @@ TEST(Lists, AScenesViewsAndLightsAreListed)
     for (const NamedView& view : table->views) {
         EXPECT_TRUE(holds(list, "--view " + view.name));
         for (const Light& light : view.lights) EXPECT_TRUE(holds(list, light.name));
+    }
+}
+
+TEST(Lists, ASceneTellsItsTrianglesAndItsPath)
+{
+    for (const BuiltinScene& builtin : builtinScenes()) {
+        const std::string list = printed({"scenes", std::string(builtin.name)});
+        const auto scene = std::make_shared<const Scene>(*buildBuiltin(builtin.name));
+        const std::size_t triangles = evaluate(scene, {}, {}).triangles.triangleCount();
+        EXPECT_TRUE(holds(list, std::to_string(triangles) + " triangles")) << list;
+        EXPECT_EQ(holds(list, "--path"), !scene->path.empty()) << list;
+        if (scene->path.empty()) continue;
+        EXPECT_TRUE(holds(list, std::to_string(scene->path.size()) + " keys")) << list;
     }
 }
 

@@ -183,8 +183,8 @@ def materials():
     save('two by two.png', png(2, 2, lambda x, y: (255 * x, 255 * y, 0, 255)))
 
     g = Gltf()
-    material = g.add('materials', {'alphaMode': 'BLEND', 'pbrMetallicRoughness': {'baseColorFactor': [1, 1, 1, 0.3]}})
-    g.node(mesh=g.mesh(g.primitive(material=material)))
+    for x, alpha in ((0, 0.3), (2, 0.6)):
+        g.node(mesh=g.mesh(g.primitive(material=g.add('materials', {'alphaMode': 'BLEND', 'pbrMetallicRoughness': {'baseColorFactor': [1, 1, 1, alpha]}}))), translation=[x, 0, 0])
     g.save('blend.glb')
 
     g = Gltf()

@@ -54,7 +54,7 @@ TEST_F(ExecutorTest, BothExecutorsAgreeOnTheSameSamples)
 {
     GlExecutor executor;
     std::size_t all = 0, differing = 0;
-    forEachCase(12, [&](Rng& rng) {
+    forEachCase(kCases / 10, [&](Rng& rng) {
         const Setting s = anySetting(rng, 2, {128, 128}, 160, 120);
         const ViewSamples samples = executor.viewSamples(s.casters, s.view);
         const std::vector<Visibility> drawn = executor.run(s.plan, s.casters, samples);

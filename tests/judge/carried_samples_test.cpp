@@ -13,6 +13,7 @@ namespace lixel {
 namespace {
 
 using test::forEachCase;
+using test::kCases;
 using test::Rng;
 
 constexpr int kSide = 64;
@@ -79,7 +80,7 @@ Motion anyMotion(Rng& rng)
 
 TEST(CarriedSamples, OfAStillSceneAndViewAreTheSamplesBitForBit)
 {
-    forEachCase(100, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const View view = viewFrom(3.0 * rng.onSphere());
         const LocalTriangles triangles = anyTriangles(rng, 20);
         const ViewSamples samples = samplesOf(triangles, view, rng);
@@ -99,7 +100,7 @@ TEST(CarriedSamples, OfAStillSceneAndViewAreTheSamplesBitForBit)
 
 TEST(CarriedSamples, MoveRigidlyWithTheirTriangle)
 {
-    forEachCase(100, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const View view = viewFrom({0, 0, 3});
         const LocalTriangles before = anyTriangles(rng, 20);
         const ViewSamples samples = samplesOf(before, view, rng);
@@ -120,7 +121,7 @@ TEST(CarriedSamples, MoveRigidlyWithTheirTriangle)
 
 TEST(CarriedSamples, LeaveOutWhatIsOutsideTheViewOrTurnedAway)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const LocalTriangles triangles = anyTriangles(rng, 10);
         const ViewSamples samples = samplesOf(triangles, viewFrom({0, 0, 3}), rng);
         const Vec3d eye = rng.inBox(2);
@@ -142,7 +143,7 @@ TEST(CarriedSamples, LeaveOutWhatIsOutsideTheViewOrTurnedAway)
 // Triangles without area are left out of a scene's list, which shifts the numbers of all that follow.
 TEST(CarriedSamples, FindTheirTriangleAgainWhenOthersComeAndGo)
 {
-    forEachCase(100, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const View view = viewFrom({0, 0, 3});
         const LocalTriangles all = anyTriangles(rng, 12);
         const auto some = [&] {

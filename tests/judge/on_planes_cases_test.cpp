@@ -9,6 +9,7 @@ namespace lixel {
 namespace {
 
 using test::forEachCase;
+using test::kCases;
 using test::Rng;
 
 void add(ViewSamples& samples, Vec3d world, Vec3d normal)
@@ -57,7 +58,7 @@ TEST(OnPlanes, TheFirstPlaneThatHoldsASampleHasItAndPolygonsEnd)
 
 TEST(OnPlanes, CountsAddUpToThoseOfAllLightFacingSamples)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         std::vector<int> planeOf;
         std::vector<Zone> zones;
         std::vector<float> visibility, exact;

@@ -12,6 +12,7 @@ namespace lixel {
 namespace {
 
 using test::forEachCase;
+using test::kCases;
 using test::Rng;
 using Values = std::vector<double>;
 
@@ -31,7 +32,7 @@ TEST(RankCorrelation, IsNothingWhereThereIsNoOrder)
 
 TEST(RankCorrelation, AsksForTheOrderOnlyAndTurnsWithIt)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         Values a, b, grown, turned;
         for (int i = 0; i < 30; ++i) {
             a.push_back(rng.uniform(-2, 2));

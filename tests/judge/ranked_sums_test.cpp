@@ -11,6 +11,7 @@ namespace lixel {
 namespace {
 
 using test::forEachCase;
+using test::kCases;
 using test::Rng;
 using Errors = std::vector<std::vector<double>>;
 
@@ -40,7 +41,7 @@ TEST(RankedSums, HaveAtLeastOneWorstCaseAndATenthOfThirtyIsThree)
 // A method's own worst cases are the worst that it has, and all of them are everything.
 TEST(RankedSums, AMethodIsNowhereWorseThanInItsOwnWorstCases)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         Errors errors(std::size_t(rng.integer(1, 6)), std::vector<double>(std::size_t(rng.integer(1, 60))));
         for (std::vector<double>& of : errors)
             for (double& error : of) error = rng.integer(0, 20);

@@ -14,6 +14,7 @@ namespace lixel {
 namespace {
 
 using test::forEachCase;
+using test::kCases;
 using test::Rng;
 
 TEST(SmallestMap, LadderHasStepsOfTwoPercentOrOneLixel)
@@ -30,7 +31,7 @@ TEST(SmallestMap, LadderHasStepsOfTwoPercentOrOneLixel)
 // Two measured maps tell all.
 TEST(SmallestMap, OfErrorsThatGoWithOneOverSideOverAFloorIsWherePredicted)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const double scale = rng.uniform(20, 2000), tolerance = 0.5, floor = rng.uniform(0, 0.2);
         const SmallestMap found =
             smallestMap(tolerance, int(rng.uniform(8, 8192)), [&](int side) { return floor + scale / side; });
@@ -46,7 +47,7 @@ TEST(SmallestMap, OfErrorsThatGoWithOneOverSideOverAFloorIsWherePredicted)
 TEST(SmallestMap, HoldsFromItsSideOnAndNotBefore)
 {
     const std::vector<int> sides = ladderOfSides();
-    forEachCase(300, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         const double scale = rng.uniform(20, 2000), tolerance = 0.5;
         std::map<int, double> errors;
         for (const int side : sides) errors[side] = scale / std::pow(side, rng.uniform(0.97, 1.03));

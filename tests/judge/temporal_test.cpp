@@ -10,6 +10,7 @@ namespace {
 
 using enum ShadowState;
 using test::forEachCase;
+using test::kCases;
 using test::Rng;
 using States = std::vector<ShadowState>;
 
@@ -70,7 +71,7 @@ TEST(TemporalScore, SamplesCountInTheirZoneOfTheFrameBefore)
 // Whatever the maps say: what says the truth in both frames, or the same in both, flips nowhere; and zones add up.
 TEST(TemporalScore, OfTheTruthOrOfWhatStaysIsZeroAndZonesAddUp)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const auto any = [&](std::initializer_list<ShadowState> of) {
             return of.begin()[rng.integer(0, int(of.size()) - 1)];
         };

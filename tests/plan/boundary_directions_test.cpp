@@ -45,7 +45,7 @@ TEST(BoundaryDirections, OfAStraightEdgeAreItsNormal)
 {
     double worst = 0, sum = 0;
     int count = 0;
-    forEachCase(300, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         const int width = rng.integer(40, 160), height = rng.integer(40, 160);
         const ObservationGrid grid{rng.integer(20, std::min(width, 60)), rng.integer(20, std::min(height, 60))};
         const double angle = rng.uniform(0, 2 * std::numbers::pi);

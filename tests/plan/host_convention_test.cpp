@@ -16,6 +16,7 @@ using test::Camera;
 using test::forEachCase;
 using test::Host;
 using test::HostMatrices;
+using test::kCases;
 using test::kHosts;
 using test::kLenses;
 using test::Lens;
@@ -200,7 +201,7 @@ TEST(HostConvention, EveryTechniqueGivesEveryHostTheSameLixelOfAPoint)
 
 TEST(HostConvention, TheTextureMatrixReadsWhereTheClipMatrixDraws)
 {
-    forEachCase(50, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         for (const Host& host : kHosts) {
             SCOPED_TRACE(host.name);
             const test::RandomSetup setup = test::anySetup(rng);
@@ -225,7 +226,7 @@ TEST(HostConvention, TheTextureMatrixReadsWhereTheClipMatrixDraws)
 
 TEST(HostConvention, WhatEntersLeavesUnchanged)
 {
-    forEachCase(100, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         for (const Host& host : kHosts) {
             Mat4d matrix;
             for (int i = 0; i < 4; ++i)

@@ -14,6 +14,7 @@ namespace lixel {
 namespace {
 
 using test::forEachCase;
+using test::kCases;
 using test::RandomSetup;
 using test::Rng;
 
@@ -209,7 +210,7 @@ RandomSetup roomSetup(Rng& rng)
 TEST(LightRays, TheFallbackOfFloorAndWallIsTheLeastRectangleAroundAllOtherVisibleRays)
 {
     int none = 0, some = 0, tight = 0;
-    forEachCase(400, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         const RandomSetup setup = roomSetup(rng);
         const std::vector<NamedPlane> planes{{"floor", {0, 0, 0}, {0, 1, 0}, {}}, {"wall", {0, 0, -10}, {0, 0, 1}, {}}};
         PlanInput planInput{setup.view,

@@ -59,7 +59,7 @@ std::size_t jumps(const Observation& observation)
 
 TEST(Observe, EachCellTakesThePixelNearestToItsCentreAndStandsForItsShareOfThePicture)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         View view = anyView(rng);
         view.width = rng.integer(1, 90), view.height = rng.integer(1, 90);
         const ObservationGrid asked{rng.integer(1, 100), rng.integer(1, 100)};
@@ -153,7 +153,7 @@ TEST(Observe, OneSurfaceHasNoDepthJumpHoweverItBends)
 
 TEST(Observe, ASurfaceBeforeAnotherIsMarkedOnBothSidesOfItsBorderAndNowhereElse)
 {
-    forEachCase(kCases / 10, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const View view = anyView(rng);
         const Plane behind{normalized({rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5), 1}), 1};
         const Plane before{behind.normal, rng.uniform(0.3, 0.8)};

@@ -153,7 +153,7 @@ TEST(SceneOptimal, IsTheSameForParallelLightAsForALightFarAway)
 TEST(SceneOptimal, AnyReceiversHaveAFiniteMapThatHoldsThemOrARefusal)
 {
     int refused = 0, made = 0;
-    forEachCase(1000, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         const RandomSetup setup = rng.chance(0.5) ? awkwardSetup(rng) : anySetup(rng);
         const ViewSamples seen = anySamples(setup, rng);
         std::vector<Vec3d> points;

@@ -1,31 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/report/html.h"
 
+#include "in_browser.h"
 #include "sample_results.h"
 
-#include <cstdlib>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 namespace lixel::test {
 namespace {
 
-// report_in_browser.py says what is tried; LIXEL_REPORT_SCREENSHOTS=folder keeps pictures of the page, in `name` there.
 template <typename Results>
 void useInABrowser(Results (*sample)(const std::filesystem::path& folder, int size), const std::string& name)
 {
-    constexpr int kNoBrowser = 77;
     const TemporaryFolder folder;
     writeReport(folder.path(), sample(folder.path(), 512));
-
-    std::string command = "python3 '" LIXEL_SOURCE_DIR "/tests/report/report_in_browser.py' '" +
-                          (folder.path() / "report.html").string() + "'";
-    if (const char* screenshots = std::getenv("LIXEL_REPORT_SCREENSHOTS"))
-        command += " --screenshots '" + std::string(screenshots) + "/" + name + "'";
-    const int status = std::system(command.c_str());
-    ASSERT_TRUE(WIFEXITED(status));
-    if (WEXITSTATUS(status) == kNoBrowser) GTEST_SKIP() << "needs chromium and chromedriver";
-    EXPECT_EQ(WEXITSTATUS(status), 0);
+    const InBrowser used = useInBrowser(folder.path() / "report.html", name);
+    if (used == InBrowser::NoBrowser) GTEST_SKIP() << "needs chromium and chromedriver";
+    EXPECT_EQ(used, InBrowser::Usable);
 }
 
 TEST(Report, IsUsableInABrowserFromAFile) { useInABrowser<RunResults>(sampleRun, "pictures"); }

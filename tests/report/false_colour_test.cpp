@@ -40,6 +40,20 @@ TEST(DensityColour, ClampsAtItsEnds)
     EXPECT_EQ(densityColour(std::numeric_limits<double>::infinity()), densityColour(std::exp2(kDensityOctaves)));
 }
 
+TEST(FootprintColour, IsThatOfTheDensityOfSquareLixelsAsLongTurnedRound)
+{
+    forEachCase(kCases, [](Rng& rng) {
+        const double pixelsPerLixel = rng.logUniform(1e-3, 1e3);
+        EXPECT_EQ(footprintColour(pixelsPerLixel), densityColour(1 / pixelsPerLixel));
+        const Rgba8 longer = footprintColour(rng.logUniform(2, 1e9)),
+                    shorter = footprintColour(rng.logUniform(1e-9, 0.5));
+        EXPECT_GT(longer.r, longer.b);
+        EXPECT_LT(shorter.r, shorter.b);
+    });
+    EXPECT_EQ(footprintColour(std::numeric_limits<double>::infinity()), densityColour(0)); // edge-on
+    EXPECT_EQ(footprintColour(std::numeric_limits<double>::quiet_NaN()).a, 0);
+}
+
 TEST(DensityPicture, HasFewEnoughColoursForAPalette)
 {
     Image<float> densities(400, 100);
@@ -55,6 +69,12 @@ TEST(DensityPicture, HasFewEnoughColoursForAPalette)
     EXPECT_EQ(picture(0, 0).a, 0);
     EXPECT_EQ(picture(1, 0), densityColour(0));
     EXPECT_EQ(picture(2, 0), densityColour(1e30));
+    const Image<Rgba8> footprint = footprintPicture(densities);
+    for (const Rgba8 c : footprint.data()) colours.emplace(c.r, c.g, c.b, c.a);
+    EXPECT_LE(colours.size(), 256u) << "the same palette";
+    EXPECT_EQ(footprint(0, 0).a, 0);
+    EXPECT_EQ(footprint(1, 0), picture(2, 0));
+    EXPECT_EQ(footprint(2, 0), picture(1, 0));
 }
 
 TEST(ErrorPicture, ShowsOnlyWhatIsWrong)
@@ -73,7 +93,7 @@ TEST(ErrorPicture, ShowsOnlyWhatIsWrong)
 // Cells 4 x 4 pixels: a square in each marked cell that is at no depth jump, of that light alone, and none beyond the picture.
 TEST(BoundaryPicture, MarksTheCellsThatTheEnergyIsMadeFrom)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         constexpr int kCells = 8, kSize = 32;
         Observation observed;
         observed.grid = {kCells, kCells};

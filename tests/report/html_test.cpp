@@ -49,7 +49,7 @@ TEST(Report, HoldsEveryPictureOnce)
     writeReport(folder.path(), sampleRun(folder.path(), 48));
     const std::string page = readWhole(folder.path() / "report.html");
     EXPECT_EQ(countOf(page, "type=\"text/plain\" id=\"picture-"),
-              2u * 4 * 2 * 3); // views, techniques, executors, kinds
+              2u * 4 * 2 * 4); // views, techniques, executors, kinds
 }
 
 // Pictures of one view differ along shadows only.

@@ -29,7 +29,7 @@ Image<Rgba8> randomPicture(Rng& rng, int width, int height, int colours, bool is
 
 TEST(Png, EveryPictureReadsBackTheSame)
 {
-    forEachCase(500, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const int width = rng.integer(1, 40), height = rng.integer(1, 40);
         const auto picture =
             randomPicture(rng, width, height, rng.chance(0.5) ? rng.integer(1, 20) : 2000, rng.chance(0.5));

@@ -60,7 +60,7 @@ def slider_moves(page):
 def techniques_change(page):
     name = "return document.getElementById('tag-right').textContent"
     before = page.run(name)
-    page.click(".tile:nth-of-type(3) [data-side=right]")
+    page.click(".tile [data-side=right][aria-pressed=false]")
     check(page.run(name) != before, "a tile's button puts its picture on the right")
     left = page.run("return document.getElementById('tag-left').textContent")
     page.click("#swap")
@@ -77,19 +77,31 @@ def red_pixels(page):
 
 
 def error_overlay_toggles(page):
+    """A scene may be red itself: the overlay makes more of it."""
     page.run("showPair(shown.group[0], shown.group.at(-1))")
-    check(red_pixels(page) > 0, "the error is shown in red at first")
+    at_first = red_pixels(page)
     page.click("#show-error")
-    check(red_pixels(page) == 0, "without the overlay nothing is red")
+    without = red_pixels(page)
+    check(at_first > without, f"the error is shown in red at first: {at_first} red pixels, {without} without it")
     page.click("#show-error")
-    check(red_pixels(page) > 0, "with the overlay it is red again")
+    check(red_pixels(page) == at_first, "with the overlay it is red again")
 
 
-def density_shows_with_its_legend(page):
+def maps_show_with_their_legends(page):
+    """Footprint and density, one at a time; both look other than the picture, and than each other."""
+    page.run("showPair(shown.group.at(-1), shown.group.find(row => row.density_lixels_per_pixel))")
+    drawn = (PIXELS + "return (async () => { await redraw();"
+             " return pixels(document.querySelector('#pane-right canvas')).join(); })()")
+    seen = {page.run(drawn)}
+    for name, words in (("footprint", "pixels a lixel"), ("density", "lixels a pixel")):
+        page.click(f"#show-{name}")
+        check(page.run("return document.querySelectorAll('#legend .ramp').length") == 1, "one map is shown at a time")
+        check(page.run("return document.querySelectorAll('#legend .ramp i').length") > 10, f"the {name} has a legend")
+        check(words in page.run("return document.getElementById('legend').innerText"), f"which says: {words}")
+        seen.add(page.run(drawn))
+    check(len(seen) == 3, "each map is drawn over the picture")
     page.click("#show-density")
-    check(page.run("return document.querySelectorAll('#legend .ramp i').length") > 10, "the density has a legend")
-    page.click("#show-density")
-    check(page.run("return document.querySelectorAll('#legend .ramp').length") == 0, "which goes with it")
+    check(page.run("return document.querySelectorAll('#legend .ramp').length") == 0, "the legend goes with its map")
 
 
 def zoom_works(page):
@@ -328,7 +340,7 @@ def console_is_quiet(page):
 
 STEPS = [
     pictures_appear, differences_become_whole_pictures, slider_moves, techniques_change, error_overlay_toggles,
-    density_shows_with_its_legend, zoom_works, next_view_opens, tables_sort, charts_show, flips_show, experiment_shows,
+    maps_show_with_their_legends, zoom_works, next_view_opens, tables_sort, charts_show, flips_show, experiment_shows,
     budgets_show, lookups_show,
     command_stands_there, refusals_are_told, fits_every_width, needs_nothing_from_outside, console_is_quiet,
 ]

@@ -32,7 +32,7 @@ struct SampleScene
 
     Image<Rgba8> shaded;
     Image<Verdict> verdicts;
-    Image<float> density;
+    Image<float> footprint, density;
     Measurement measurement;
 };
 
@@ -62,7 +62,11 @@ void drawPixel(SampleScene& scene, const SampleTechnique& technique, int i, int 
     const bool exact = isLit(x, z, scene.sunX), lit = isLit(stepped(x), stepped(z), scene.sunX);
     scene.shaded(i, j) = floorColour(x, z, lit);
     scene.verdicts(i, j) = lit == exact ? Verdict::Right : lit ? Verdict::FalseLit : Verdict::FalseShadow;
-    if (step > 0) scene.density(i, j) = float(2 * z / scene.size * (z * z / 3 / scene.size) / (step * step));
+    if (step > 0) {
+        const double pixelWidth = 2 * z / scene.size, pixelDepth = z * z / 3 / scene.size;
+        scene.footprint(i, j) = float(step / std::min(pixelWidth, pixelDepth));
+        scene.density(i, j) = float(pixelWidth * pixelDepth / (step * step));
+    }
 
     Measurement& measurement = scene.measurement;
     ++measurement.lightFacing;
@@ -75,7 +79,7 @@ Measurement measure(SampleScene& scene, const SampleTechnique& technique)
 {
     scene.shaded = Image<Rgba8>(scene.size, scene.size);
     scene.verdicts = Image<Verdict>(scene.size, scene.size, Verdict::NotCounted);
-    scene.density = Image<float>(scene.size, scene.size, std::numeric_limits<float>::quiet_NaN());
+    scene.footprint = scene.density = Image<float>(scene.size, scene.size, std::numeric_limits<float>::quiet_NaN());
     scene.measurement = {};
     for (int j = 0; j < scene.size; ++j)
         for (int i = 0; i < scene.size; ++i) drawPixel(scene, technique, i, j);
@@ -116,9 +120,10 @@ Temporal anyFlips(const Measurement& of)
 
 PictureFiles writePictures(const fs::path& folder, const std::string& name, const SampleScene& scene)
 {
-    const PictureFiles files{name + ".png", name + "-error.png", name + "-density.png", ""};
+    const PictureFiles files{name + ".png", name + "-error.png", name + "-footprint.png", name + "-density.png", ""};
     writePng(folder / files.shaded, scene.shaded);
     writePng(folder / files.error, errorPicture(scene.verdicts));
+    writePng(folder / files.footprint, footprintPicture(scene.footprint));
     writePng(folder / files.density, densityPicture(scene.density));
     return files;
 }
@@ -161,7 +166,7 @@ RunResults makeRun(const fs::path& folder, int size)
         std::to_string(size) + "x" + std::to_string(size) + " --executor gl,trace --seed 1 -o out";
     run.timing = {"2024-05-06T07:08:09Z", "two cores, llvmpipe", 12.5};
     for (const auto& [view, sunX] : {std::pair{"front", 0.8}, std::pair{"low camera", -1.5}}) {
-        SampleScene scene{view, sunX, size, {}, {}, {}, {}};
+        SampleScene scene{view, sunX, size, {}, {}, {}, {}, {}};
         for (const SampleTechnique& technique :
              {SampleTechnique{"uniform", 0.9, 3.1}, SampleTechnique{"exact", 0, 80},
               SampleTechnique{"focused", 0.31, 3.4}, SampleTechnique{"lispsm", 0.12, 3.6}})

@@ -157,6 +157,9 @@ TEST(RemovePendingFiles, AnInterruptedProcessLeavesNothing)
             _exit(130);
         });
         AtomicFile one(folder.path() / "one.txt"), other(folder.path() / "other.txt");
+        StagedFolder staged(folder.path());
+        staged.makeFolder("pictures");
+        writeFileAtomically(staged.path() / "pictures" / "whole", "whole");
         one.write("half");
         other.write("half");
         std::raise(SIGINT);
@@ -167,6 +170,54 @@ TEST(RemovePendingFiles, AnInterruptedProcessLeavesNothing)
     ASSERT_TRUE(WIFEXITED(status));
     EXPECT_EQ(WEXITSTATUS(status), 130);
     EXPECT_EQ(folder.fileCount(), 0u);
+}
+
+TEST(StagedFolder, KeepsWhatIsThereUntilAllTakeTheirPlaces)
+{
+    const TemporaryFolder folder;
+    const fs::path pictures = folder.path() / "pictures";
+    makeFolder(pictures);
+    writeFileAtomically(folder.path() / "results", "old");
+    writeFileAtomically(pictures / "one", "old");
+    writeFileAtomically(pictures / "other", "somebody's");
+    {
+        StagedFolder staged(folder.path());
+        staged.makeFolder("pictures");
+        writeFileAtomically(staged.path() / "results", "new");
+        writeFileAtomically(staged.path() / "pictures" / "one", "new");
+        EXPECT_EQ(readWhole(folder.path() / "results"), "old");
+        EXPECT_EQ(readWhole(pictures / "one"), "old");
+        staged.commit();
+    }
+    EXPECT_EQ(readWhole(folder.path() / "results"), "new");
+    EXPECT_EQ(readWhole(pictures / "one"), "new");
+    EXPECT_EQ(readWhole(pictures / "other"), "somebody's");
+    EXPECT_EQ(folder.fileCount(), 2u);
+}
+
+TEST(StagedFolder, LeavesNothingWithoutCommit)
+{
+    const TemporaryFolder folder;
+    {
+        StagedFolder staged(folder.path());
+        staged.makeFolder("pictures");
+        writeFileAtomically(staged.path() / "pictures" / "one", "new");
+    }
+    EXPECT_EQ(folder.fileCount(), 0u);
+}
+
+TEST(StagedFolder, FollowsLinksAndWritesIntoDevicesInPlace)
+{
+    const TemporaryFolder folder;
+    writeFileAtomically(folder.path() / "real", "old");
+    fs::create_symlink("real", folder.path() / "link");
+    fs::create_symlink("/dev/null", folder.path() / "nothing");
+    StagedFolder staged(folder.path());
+    for (const char* name : {"link", "nothing"}) writeFileAtomically(staged.path() / name, "new");
+    staged.commit();
+    EXPECT_EQ(readWhole(folder.path() / "real"), "new");
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
+    EXPECT_TRUE(fs::is_character_file(folder.path() / "nothing"));
 }
 
 TEST(RemovePendingFiles, LeavesWhatIsWhole)

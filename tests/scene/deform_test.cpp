@@ -105,7 +105,7 @@ TEST(Morph, WeightsOfTheMeshTheNodeAndTheAnimationEachTakeTheirPlace)
 
 TEST(Morph, WithoutWeightsTheMeshRests)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         Scene scene;
         scene.nodes.emplace_back();
         Mesh mesh;

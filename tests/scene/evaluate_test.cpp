@@ -72,7 +72,7 @@ TEST(Evaluate, FarFromTheOriginANearOriginKeepsEveryDigit)
 
 TEST(Evaluate, BoundsHoldEveryTriangleAndAgreeWithTheScenes)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const auto scene = anyScene(rng, 100);
         const SceneBuffers buffers = evaluate(scene, {}, rng.inBox(100));
         ASSERT_EQ(buffers.bounds.boxesWorld.size(), 3u);

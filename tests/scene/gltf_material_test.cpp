@@ -39,10 +39,13 @@ TEST(GltfMaterial, AnImageBesideTheFileIsRead)
 
 TEST(GltfMaterial, BlendBecomesAMaskOfOneHalf)
 {
-    const Material material = loadData("blend.glb")->materials.at(0);
-    EXPECT_EQ(material.alphaMode, AlphaMode::Mask);
-    EXPECT_EQ(material.alphaCutoff, 0.5f);
-    EXPECT_EQ(material.baseColour.w, 0.3f);
+    const auto scene = loadData("blend.glb");
+    for (const std::size_t i : {0u, 1u}) {
+        EXPECT_EQ(scene->materials.at(i).alphaMode, AlphaMode::Mask);
+        EXPECT_EQ(scene->materials.at(i).alphaCutoff, 0.5f);
+    }
+    EXPECT_EQ(scene->materials[0].baseColour.w, 0.3f);
+    EXPECT_EQ(scene->materials[1].baseColour.w, 0.6f);
 }
 
 TEST(GltfMaterial, WithoutAMaterialTheSurfaceIsOpaqueWhite)

@@ -13,6 +13,7 @@ namespace lixel {
 namespace {
 
 using test::forEachCase;
+using test::kCases;
 using test::Rng;
 
 // Sixteen sectors by eight heights of equal area. Chi-squared with 127 degrees of freedom is normal enough: mean 127,
@@ -46,7 +47,7 @@ TEST(HemisphereLights, AreUniformOnTheUpperHemisphere)
 
 TEST(HemisphereLights, OfOneSeedAreTheSameHoweverMany)
 {
-    forEachCase(20, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const std::uint64_t seed = rng.bits();
         const std::vector<Light> few = hemisphereLights(seed, 7), many = hemisphereLights(seed, 50);
         for (std::size_t i = 0; i < few.size(); ++i) {

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
+#include "lixel/scene/evaluate.h"
+#include "lixel/scene/framing.h"
+#include "lixel/scene/load.h"
 #include "lixel/shared/alpha.h"
 #include "lixel/trace/exact_visibility.h"
 #include "lixel/trace/texture_lookup.h"
+#include "lixel/trace/trace_view_samples.h"
 
 #include "support/random_cases.h"
+#include "support/scene_files.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace lixel {
 namespace {
@@ -128,6 +134,19 @@ TEST(Alpha, AMaskedTriangleStopsRaysExactlyWhereItsAlphaReachesTheCutoff)
             EXPECT_EQ(exactVisibility(scene, samples, Light{})[0], alpha >= double(mask.alphaCutoff) ? 0 : 1);
         }
     });
+}
+
+// Blended surfaces of a file with alpha 0.3 and 0.6.
+TEST(Alpha, ABlendedSurfaceIsDrawnFromHalfOpaqueOn)
+{
+    const auto blended = std::make_shared<const Scene>(loadScene((test::dataFolder() / "blend.glb").string()));
+    const SceneBuffers buffers = evaluate(blended, {}, {});
+    const TraceScene scene(buffers.casters());
+    Camera camera;
+    camera.eyeWorld = {1.5, 0.5, 4}, camera.targetWorld = {1.5, 0.5, 0};
+    const ViewSamples samples = traceViewSamples(scene, makeView(camera, 64, 64, sceneBounds(*blended, {})));
+    EXPECT_GT(samples.size(), 20u);
+    for (const Vec3f& p : samples.positionLocal) EXPECT_GE(p.x, 2) << "the thinner one ends at 1";
 }
 
 TEST(Alpha, AnOpaqueMaterialKeepsEverythingWhateverItsTexture)

@@ -64,7 +64,7 @@ Light grazingLight(Rng& rng, Vec3d centreWorld, Vec3d normal, double radius)
 
 TEST(ExactVisibility, AFlatFloorOfManyTrianglesIsLitUnderAnyGrazingLight)
 {
-    forEachCase(300, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const Placement place(rng);
         const Shape floor = placed(place.worldFromShape, gridPlane(rng.integer(1, 40), 1));
         const LocalTriangles casters = triangles(floor, place.originWorld);
@@ -79,7 +79,7 @@ TEST(ExactVisibility, AFlatFloorOfManyTrianglesIsLitUnderAnyGrazingLight)
 
 TEST(ExactVisibility, AConvexBodyAloneIsLitWhereverItFacesTheLight)
 {
-    forEachCase(300, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const Placement place(rng);
         const int kind = rng.integer(0, 3);
         const Shape body = kind == 0   ? sphere(rng.integer(3, 128), rng.integer(2, 64), 1)
@@ -104,7 +104,7 @@ TEST(ExactVisibility, AConvexBodyAloneIsLitWhereverItFacesTheLight)
 
 TEST(ExactVisibility, ABoxOnAFloorShadowsTheFloorRightUpToTheContact)
 {
-    forEachCase(500, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const Placement place(rng);
         Shape shape = joined(gridPlane(8, 2), box({-0.5, 0, -0.5}, {0.5, 1, 0.5}, 2));
         const LocalTriangles casters = triangles(placed(place.worldFromShape, shape), place.originWorld);
@@ -132,7 +132,7 @@ TEST(ExactVisibility, ABoxOnAFloorShadowsTheFloorRightUpToTheContact)
 
 TEST(ExactVisibility, NoRayLeaksThroughAClosedMeshEvenAtItsEdgesAndCorners)
 {
-    forEachCase(300, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const Placement place(rng);
         // A small floor within a closed hull; every ray must be stopped by the hull.
         const Shape floor = gridPlane(1, 0.05);
@@ -165,7 +165,7 @@ TEST(ExactVisibility, NoRayLeaksThroughAClosedMeshEvenAtItsEdgesAndCorners)
 
 TEST(ExactVisibility, WhatLiesBehindALightAtAPointDoesNotCount)
 {
-    forEachCase(300, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const Placement place(rng);
         const double height = rng.uniform(0.3, 0.9), gap = rng.logUniform(1e-4, 0.1);
         const Shape plates = joined(gridPlane(1, 1), placed(translation({0, height, 0}), gridPlane(1, 1)));
@@ -216,7 +216,7 @@ TEST(ExactVisibility, ALightAtASampleOrAtACornerOfTheGeometryIsSurvived)
 
 TEST(ExactVisibility, FromInsideABoxEveryWallIsLitByALampInside)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const Placement place(rng);
         const LocalTriangles casters =
             triangles(placed(place.worldFromShape, box({-1, -1, -1}, {1, 1, 1}, rng.integer(1, 8))), place.originWorld);
@@ -242,7 +242,7 @@ TEST(ExactVisibility, SamplesThatFaceAwayAreDark)
 
 TEST(ExactVisibility, SamplesWithoutATriangleOnAFlatFloorAreLit)
 {
-    forEachCase(200, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const Placement place(rng);
         const LocalTriangles casters = triangles(placed(place.worldFromShape, gridPlane(10, 1)), place.originWorld);
         const Vec3d up = normalized(transformDirection(place.worldFromShape, {0, 1, 0}));

@@ -120,7 +120,7 @@ ResultRow LoopExperiment::rowOf(const ShotContext& context, const TimedLoop& loo
     for (const PlannedRegion& region : plan.lights[light].regions)
         m.regions.push_back({"", region.rectangle.width(), region.rectangle.height()});
     Density density = densityOf(context, plan.lights[light], light, 0, kDensityStep);
-    m.footprintPixelsPerLixel = percentiles(std::move(density.pixelsPerLixel));
+    m.footprintPixelsPerLixel = percentiles(std::move(density.pixelsPerLixelList));
     m.densityLixelsPerPixel = percentiles(std::move(density.lixelsPerPixelList));
     m.timing.frameMs = mean(times.frameMs);
     m.timing.passes = times.passes;

@@ -22,7 +22,10 @@ function startPictures() {
   byId("left").addEventListener("change", () => showPair(shown.group[byId("left").value], shown.right));
   byId("right").addEventListener("change", () => showPair(shown.left, shown.group[byId("right").value]));
   byId("swap").addEventListener("click", () => showPair(shown.right, shown.left));
-  for (const id of ["show-error", "show-density", "show-boundary"]) byId(id).addEventListener("change", redraw);
+  for (const [id, other] of [["show-footprint", "show-density"], ["show-density", "show-footprint"]])
+    byId(id).addEventListener("change", () => byId(other).checked = false); // one would hide the other
+  for (const id of ["show-error", "show-footprint", "show-density", "show-boundary"])
+    byId(id).addEventListener("change", redraw);
   startViewer();
   showGroup(withPictures[0]);
   openView = row => {
@@ -69,7 +72,10 @@ function showPair(left, right) {
 
 function redraw() {
   const layers = layersShown();
-  byId("legend").replaceChildren(...(layers.error ? [errorKeys()] : []), ...(layers.density ? [densityRamp()] : []),
+  const end = 2 ** colours.density_octaves;
+  byId("legend").replaceChildren(...(layers.error ? [errorKeys()] : []),
+    ...(layers.footprint ? [densityRamp(`${end}`, `1/${end} pixels a lixel`)] : []),
+    ...(layers.density ? [densityRamp(`1/${end}`, `${end} lixels a pixel`)] : []),
     ...(layers.boundary ? [colourKey("shadow boundary seen", colours.boundary)] : []));
   const tiles = [...byId("tiles").children].filter(tile => !tile.row.refused);
   return drawPanes([[byId("pane-left"), shown.left], [byId("pane-right"), shown.right],
@@ -78,7 +84,8 @@ function redraw() {
 
 function layersShown() {
   return {
-    error: byId("show-error").checked, density: byId("show-density").checked, boundary: byId("show-boundary").checked,
+    error: byId("show-error").checked, footprint: byId("show-footprint").checked,
+    density: byId("show-density").checked, boundary: byId("show-boundary").checked,
   };
 }
 
@@ -88,14 +95,14 @@ async function drawPanes(panes) {
   showZoom();
 }
 
-function densityRamp() {
+// From lixels too few to lixels more than enough.
+function densityRamp(few, many) {
   const ramp = element("span", {class: "ramp"}, ...colours.density.map(colour => {
     const part = element("i");
     part.style.background = colour;
     return part;
   }));
-  const end = 2 ** colours.density_octaves;
-  return element("span", {class: "key"}, `1/${end}`, ramp, `${end} lixels a pixel`);
+  return element("span", {class: "key"}, few, ramp, many);
 }
 
 function makeTile(row, aspect) {

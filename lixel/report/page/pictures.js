@@ -27,14 +27,14 @@ async function decodePicture(id) {
   return canvas;
 }
 
-const kDensityOpacity = 0.8; // enough of the scene shows through to know where one is
+const kMapOpacity = 0.8; // enough of the scene shows through to know where one is
 
 // Draws a row's layers into a canvas, pixel by pixel; the page scales it.
 async function drawLayers(canvas, row, layers) {
   const wanted = canvas.wanted = {};
-  const [shaded, density, error, boundary] = await Promise.all([
+  const [shaded, map, error, boundary] = await Promise.all([
     picture(row, "shaded"),
-    layers.density ? picture(row, "density") : null,
+    layers.footprint ? picture(row, "footprint") : layers.density ? picture(row, "density") : null,
     layers.error ? picture(row, "error") : null,
     layers.boundary ? picture(row, "boundary") : null,
   ]);
@@ -43,9 +43,9 @@ async function drawLayers(canvas, row, layers) {
   canvas.height = shaded.height;
   const context = canvas.getContext("2d");
   context.drawImage(shaded, 0, 0);
-  if (density) {
-    context.globalAlpha = kDensityOpacity;
-    context.drawImage(density, 0, 0);
+  if (map) {
+    context.globalAlpha = kMapOpacity;
+    context.drawImage(map, 0, 0);
     context.globalAlpha = 1;
   }
   if (error) context.drawImage(error, 0, 0);
