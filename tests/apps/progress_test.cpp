@@ -43,9 +43,9 @@ TEST(Progress, OneLongStepIsToldEverySecond)
     options.folder = folder.path();
     options.terminalColumns = kColumns;
     options.interruptWhenShown = [](std::string_view shown) { return momentsTold(shown) >= 3; };
-    const CommandResult run = runLixel({"render", "table", "--executor", "trace", "--size", "2000x2000", "--technique",
-                                        "exact-area:1024", "-o", "a.png"},
-                                       options);
+    const CommandResult run = runLixel(
+        {"render", "table", "--executor", "trace", "--size", "800x800", "--technique", "exact-area:256", "-o", "a.png"},
+        options);
     EXPECT_EQ(run.exitCode, 130);
     EXPECT_GE(momentsTold(run.err), 3) << run.err;
     for (const std::string& line : linesDrawn(run.err)) EXPECT_LT(line.substr(0, line.find('\r')).size(), kColumns);
