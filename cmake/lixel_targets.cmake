@@ -37,17 +37,28 @@ function(lixel_library name)
   lixel_install(${name} NEEDS ${ARG_PUBLIC} ${ARG_PRIVATE} PRIVATE_HEADERS ${ARG_PRIVATE_HEADERS})
 endfunction()
 
-# lixel_test(name libs...): one test program from all .cpp of tests/<name>, each of its tests known to ctest.
+# lixel_test(name libs... [TOGETHER suites...]): one test program from all .cpp of tests/<name>, each of its tests known to ctest; those of
+# TOGETHER as one, since they look at one run that takes long.
 function(lixel_test name)
+  cmake_parse_arguments(test "" "" "TOGETHER" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   if(NOT sources)
     return()
   endif()
   add_executable(${name}_test ${sources})
-  target_link_libraries(${name}_test PRIVATE ${ARGN} lixel_test_support lixel_flags GTest::gtest GTest::gtest_main)
+  target_link_libraries(${name}_test
+    PRIVATE ${test_UNPARSED_ARGUMENTS} lixel_test_support lixel_flags GTest::gtest GTest::gtest_main)
   set(properties LABELS ${name})
   if(name STREQUAL "gl" OR name STREQUAL "apps")
     list(APPEND properties RESOURCE_LOCK graphics)
   endif()
-  gtest_discover_tests(${name}_test DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
+  set(apart)
+  foreach(suite IN LISTS test_TOGETHER)
+    add_test(NAME ${suite} COMMAND ${name}_test --gtest_filter=${suite}.*)
+    set_tests_properties(${suite} PROPERTIES ${properties})
+    list(APPEND apart ${suite}.*)
+  endforeach()
+  list(JOIN apart ":" apart)
+  gtest_discover_tests(${name}_test DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST TEST_FILTER "*-${apart}"
+    PROPERTIES ${properties})
 endfunction()
