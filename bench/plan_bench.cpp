@@ -109,17 +109,17 @@ const bool registered = [] {
         const char* name;
     } kinds[] = {{LightKind::Directional, "sun"}, {LightKind::Spot, "spot"}, {LightKind::Point, "point"}};
     for (const char* technique :
-         {"uniform", "focused", "focused(stable)", "minimal-frustum", "psm", "tsm", "lispsm", "lispsm(stable)",
-          "pssm(4)", "pssm(4)+lispsm", "cube", "planes(floor)+plane-optimal(uncovered=lit)", "planes(floor,wall)",
-          "planes(floor,wall)+allocation=exact"})
+         {"uniform", "focused", "focused(stable)", "minimal-frustum", "psm", "psm(shift=none)", "tsm", "lispsm",
+          "lispsm(stable)", "pssm(4)", "pssm(4)+lispsm", "cube", "planes(floor)+plane-optimal(uncovered=lit)",
+          "planes(floor,wall)", "planes(floor,wall)+allocation=exact"})
         for (const auto& [kind, kindName] : kinds)
             for (const int boxes : {1, 100, 10000})
                 benchmark::RegisterBenchmark(
                     (std::string(technique) + "/" + kindName + "/boxes:" + std::to_string(boxes)).c_str(), plan,
                     technique, kind, boxes, 0)
                     ->Unit(benchmark::kMicrosecond);
-    for (const char* technique :
-         {"desired-view", "desired-view(rotated)", "sdsm(4)", "lispsm", "planes(floor,wall)", "planes(auto)"})
+    for (const char* technique : {"desired-view", "desired-view(rotated)", "sdsm(4)", "lispsm", "scene-optimal",
+                                  "planes(floor,wall)", "planes(auto)"})
         for (const int samples : {1024, 32400, 1048576})
             benchmark::RegisterBenchmark(
                 (std::string(technique) + "/sun/boxes:100/samples:" + std::to_string(samples)).c_str(), plan, technique,

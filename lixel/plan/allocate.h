@@ -26,13 +26,15 @@ void sharesByNeed(std::span<double> needs);
 // where there are fewer lixels than pieces.
 bool cutRectangle(LixelRectangle whole, std::span<const double> shares, std::span<LixelRectangle> pieces);
 
-// The same with pieces shaped for their needs: of all ways to halve along either side, by the shares or evenly, the one with the least predicted error. A
-// piece may be used turned by a right angle: `turned` says so. `reach` lixels along each side of a piece are guard band (place.h).
+// The same with pieces shaped for their needs: of all ways to halve along either side, by the shares or evenly, the one with the least
+// predicted error. More than 8 pieces are halved across the longer side until 8 or fewer are left to try. A piece may be used turned by
+// a right angle: `turned` says so. Turning, and halving the shorter side, must be better by 3 % to be taken. `reach` lixels along
+// each side of a piece are guard band (place.h). Needs at most 64 pieces.
 bool cutRectangleByNeed(LixelRectangle whole, std::span<const double> shares, std::span<const Need> needs,
                         std::span<LixelRectangle> pieces, std::span<bool> turned, double reach = 0);
 
 // Packs rectangles of given sizes side by side, without turning them, and says how large the whole became: shelves of falling
-// height, about as wide as high.
+// height, about as wide as high. Needs at most 64.
 LixelSize packRectangles(std::span<const LixelSize> sizes, int layer, std::span<LixelRectangle> rectangles);
 
 } // namespace lixel

@@ -21,8 +21,8 @@ struct Footprint
     double lixelsPerPixel = 1; // by area
 };
 
-// Of the plane through the point with this normal. Nothing where the point is behind the eye or the light, or where its plane
-// is edge-on to the view.
+// Of the plane through the point with this normal. Nothing where the point is behind the eye or the light or outside the image's
+// rectangle, or where its plane is edge-on to the view.
 std::optional<Footprint> footprint(const View& view, Vec3d originWorld, const LightImage& image, Vec3d pointLocal,
                                    Vec3d normal);
 

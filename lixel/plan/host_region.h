@@ -15,7 +15,8 @@ struct HostRegion
     // that a depth buffer of range 0..1 holds there; inside where w > 0 and (u, v) in `viewport`
 };
 
-// Needs a region that a matrix serves: on a paraboloid hosts draw and look up through lixel's GLSL.
+// Needs a region that a matrix serves: on a paraboloid hosts draw and look up through lixel's GLSL. So they do where a warp moves
+// lixels, which is left out here: both matrices are those before it.
 // `atlas` is the size of the host's texture, FramePlan::atlas or larger. Casters between the light and the near side are to be
 // clamped to it, not clipped (depth clamp, or DepthClipEnable = false).
 HostRegion toHost(const PlannedRegion& region, LixelSize atlas, const ClipConvention& host, TextureOrigin origin);

@@ -12,7 +12,7 @@ namespace lixel {
 
 // The observation of a picture whose samples and their visibility are known: the twin of what passes make on a device, by the
 // same text (lixel/shared/observe.h). Of several samples in a pixel the first is taken. `visibility` has one entry a light, or
-// none where nothing was looked up; a light without values is lit.
+// none where nothing was looked up; a light without values is lit. Lights behind the first 32 of the list are not observed.
 //
 //   Differs  Chong & Gortler 2007 (2.4) threshold the acceleration of z between pixels, which marks edges as well; see
 //            lxIsDepthJump(), which asks whether the two tangent planes meet between the samples

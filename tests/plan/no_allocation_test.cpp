@@ -86,15 +86,16 @@ TEST_P(NoAllocation, FramesThatWerePlannedBeforeAllocateNothing)
     EXPECT_EQ(allocations - before, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, NoAllocation,
-                         testing::Values("uniform", "focused", "focused(stable)", "desired-view",
-                                         "desired-view(rotated)", "minimal-frustum", "psm", "tsm", "lispsm",
-                                         "lispsm(stable)", "pssm(4)+lispsm", "sdsm(4)", "cube", "psm+else(cube)",
-                                         "dual-paraboloid", "dual-paraboloid+desired-view+now(grid=64)",
-                                         "planes(floor,wall)", "planes(floor,wall)+allocation=exact",
-                                         "planes(floor,wall)+plane-optimal(desired-view)", "planes(auto)", "rtw", "now",
-                                         "cube+lispsm+now(smooth=1/8,grid=64)",
-                                         "desired-view+now(importance=count*max(edges,normal)*distance)"));
+INSTANTIATE_TEST_SUITE_P(
+    Techniques, NoAllocation,
+    testing::Values("uniform", "focused", "focused(stable)", "desired-view", "desired-view(rotated)", "minimal-frustum",
+                    "psm", "psm(shift=none)", "tsm", "lispsm", "lispsm(stable)", "scene-optimal",
+                    "scene-optimal(metric=l2,search=paper)", "pssm(3)+scene-optimal", "pssm(4)+lispsm",
+                    "pssm(4,stable)", "sdsm(4)", "sdsm(4,stable)", "cube", "psm+else(cube)", "dual-paraboloid",
+                    "dual-paraboloid+desired-view+now(grid=64)", "planes(floor,wall)",
+                    "planes(floor,wall)+allocation=exact", "planes(floor,wall)+plane-optimal(desired-view)",
+                    "planes(auto)", "rtw", "now", "cube+lispsm+now(smooth=1/8,grid=64)",
+                    "desired-view+now(importance=count*max(edges,normal)*distance)"));
 
 TEST(NoAllocation, PlanesAreSoughtInTheSameRoomAgain)
 {

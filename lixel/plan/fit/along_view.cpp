@@ -79,7 +79,8 @@ Fit fitAlong(const FitInput& input, const FramedBody& body, const LineOfSight& l
     const Vec2d a = line.along, across{a.y, -a.x};
     const Vec3d along{a.x, a.y, -line.first};
     const PlaneWarp warp{{across.x, across.y, -line.aside}, along, (1 / distance) * along + Vec3d{0, 0, 1}};
-    const FramedBody perspective = warped(body, warp).value_or(body); // t' >= 1: its horizon is elsewhere
+    const FramedBody perspective =
+        warped(body, warp).value_or(body); // t' >= 1: its horizon is elsewhere but for rounding
     return fitTightly(perspective, RectangleKind::Upright, input);
 }
 

@@ -9,7 +9,8 @@
 namespace lixel {
 namespace {
 
-// Beyond so many lengths of the body the perspective changes lixels by less than a quarter over the map.
+// Beyond so many lengths of the body the perspective changes lixels over the map by little more than a quarter along the line, (9/8)^2,
+// and by an eighth across it.
 constexpr double kFarthestCentre = 8;
 
 FitResult fitSeen(const FitInput& input)

@@ -15,11 +15,13 @@ namespace lixel {
 //   eta = lambda delta (1 + xi) / (lambda - 2 delta - lambda xi), xi = -0.6, before the top line.
 //
 //   Needs    a scene; view samples, where given, say the nearest and farthest depth that is seen
-//   Returns  as focused, with four fifths of the map for what is nearer than the focus point
+//   Returns  as focused, with four fifths of the map for what is nearer than the focus point. Focused itself where that lies at or
+//            beyond four fifths of the body anyway or before its start, and without a line of sight (along_view.h)
 //   Refuses  NothingInView; ExtentNotInHemisphere; EmptyScene
 //   Differs  the body is what is visible, not the whole view frustum. Depth needs no second map (section 6): ours is
-//            constant along rays. Without `focusDepth` (world units from the eye along the line of sight) the focus point is at
-//            the geometric mean of the nearest and the farthest visible depth, where the paper leaves it to the user
+//            constant along rays. Without `focusDepth` (world units from the eye along the line of sight, clamped to what is
+//            seen) the focus point is at the geometric mean of the nearest and the farthest visible depth, where the paper leaves it
+//            to the user
 FitResult fitTsm(const FitInput& input, std::optional<double> focusDepth);
 
 // eta; infinite where the focus point lies at or beyond 80 % of the trapezoid as it is.

@@ -13,7 +13,8 @@ namespace lixel {
 using BodyPlanes = FixedVector<Plane, 6 + CellPlanes::capacity() + 6 + 8>;
 
 // Corners of all of the region that can be seen and lit, Local: what the map must hold is their convex hull. Empty where there
-// is nothing. For a light at a point, corners at the light itself are left out: they have no place in its image.
+// is nothing. For a light at a point, corners at the light itself are left out: they have no place in its image. A spot's cone counts as
+// the eight planes through the light that touch it, a range as the cube around its ball: what is held is a little more.
 void findVisiblePoints(const FitInput& input, std::vector<Vec3d>& points);
 
 // The same without the view: all of the region that the light reaches.
