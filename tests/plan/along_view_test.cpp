@@ -150,6 +150,109 @@ TEST(Lispsm, AcrossTheLineOfSightErrorsAreEqualAtBothEndsForLightsOfEveryKind)
     EXPECT_GT(tried, 20);
 }
 
+// Of parallel light: how much larger the largest lixel is than the smallest, across and along together, over what is held.
+double strength(const Fit& fit, std::span<const Vec3d> points)
+{
+    double least = INFINITY, most = 0;
+    for (const Vec3d& p : points) {
+        const double w = dot(fit.lightClipFromLocal.row(3), point(p));
+        least = std::min(least, w), most = std::max(most, w);
+    }
+    return std::pow(most / least, 3);
+}
+
+// Of parallel light: the lixel's area across it at a point, in units of the map's own square.
+double lixelArea(const Fit& fit, Vec3d pointLocal)
+{
+    const Mat4d& clip = fit.lightClipFromLocal;
+    const Vec4d w = clip.row(3);
+    const double at = dot(w, point(pointLocal));
+    const Vec3d ndc = project(clip, pointLocal);
+    const Vec3d x = xyz(clip.row(0)) - ndc.x * xyz(w), y = xyz(clip.row(1)) - ndc.y * xyz(w);
+    return at * at / length(cross(x, y));
+}
+
+// The farthest centre is 8 lengths of the body away: there lixels differ by (9/8)^3 = 1.424, and all but no more is lost when the
+// perspective goes between two angles one part in a hundred apart. What the map gains besides is its turn from upright along the line
+// to the rectangle of least area, a by b: no rectangle around that one has more than 1 + (a/b + b/a) / 2 times its area.
+TEST(Lispsm, FadesToFocusedWithoutALargerJumpAsLightAndLineOfSightAlign)
+{
+    constexpr double kStep = 0.99, kSmooth = 1.15, kLast = 1.46;
+    int faded = 0;
+    forEachCase(test::kCases / 40, [&](Rng& rng) {
+        Start start;
+        start.setup = ordinarySetup(rng);
+        start.setup.light = {};
+        const Vec3d forward = viewDepth(start.setup.view, start.setup.originWorld).forward;
+        const Vec3d aside = normalized(cross(forward, rng.onSphere())), towards = rng.chance(0.5) ? forward : -forward;
+        std::optional<Fit> before;
+        std::vector<Vec3d> points;
+        for (double angle = 1.2; angle > 1e-4; angle *= kStep) {
+            start.setup.light.directionWorld = std::cos(angle) * towards + std::sin(angle) * aside;
+            const FitInput input = start.input();
+            const FitResult fit = fitLispsm(input);
+            if (!fit) return;
+            points = start.scratch.points;
+            if (before) {
+                const double was = strength(*before, points), is = strength(*fit, points);
+                EXPECT_LT(is / was, was > 1 ? kSmooth : kLast) << angle;
+                EXPECT_LT(was / is, is > 1 ? kSmooth : kLast) << angle;
+                if (was > 1 && is == 1) {
+                    ++faded;
+                    const OrientedRectangle r =
+                        rectangleAround(*visibleBody(input), RectangleKind::LeastArea, start.scratch);
+                    const double a = r.halfSize.x, b = r.halfSize.y, turn = 1 + 0.5 * (a / b + b / a);
+                    for (const Vec3d& p : points) {
+                        const double ratio = lixelArea(*before, p) / lixelArea(*fit, p);
+                        EXPECT_LT(ratio, 1.01 * kLast * turn);
+                        EXPECT_GT(ratio, 1 / (1.01 * kLast));
+                    }
+                }
+            }
+            before = *fit;
+        }
+        EXPECT_EQ(strength(*before, points), 1);
+    });
+    EXPECT_GT(faded, test::scaled(test::kCases / 40) / 2);
+}
+
+// The centre's distance is told by the map: w goes from 1 to 1 + length / n over the body.
+TEST(Lispsm, ItsCentreIsThatOfTheNearestAndFarthestDepthThatIsSeen)
+{
+    int tried = 0;
+    forEachCase(test::kCases, [&](Rng& rng) {
+        Start start;
+        if (!begin(start, rng, LightKind::Directional)) return;
+        const ViewDepth depth = viewDepth(start.setup.view, start.setup.originWorld);
+        const std::vector<Vec3d> points = start.scratch.points;
+        // Some of what may be seen, the nearest of it left out as other things may hide it.
+        std::vector<Vec3d> seen;
+        const double least = rng.uniform(0.05, 0.6) * start.depths.farthest;
+        for (int i = 0; i < 200; ++i) {
+            const Vec3d a = points[std::size_t(rng.integer(0, int(points.size()) - 1))],
+                        b = points[std::size_t(rng.integer(0, int(points.size()) - 1))];
+            const Vec3d p = a + rng.uniform(0, 1) * (b - a);
+            if (depth.of(p) > least) seen.push_back(p);
+        }
+        if (seen.empty()) return;
+        double zn = INFINITY, zf = 0;
+        for (const Vec3d& p : seen) zn = std::min(zn, depth.of(p)), zf = std::max(zf, depth.of(p));
+        if (!(zf > 1.01 * zn)) return;
+        FitInput input = start.input();
+        input.hasViewSamples = true;
+        input.seenLocal = seen;
+        const FitResult fit = fitLispsm(input);
+        ASSERT_TRUE(fit);
+        const double lixels = std::cbrt(strength(*fit, points));
+        if (lixels == 1) return; // focused
+        const double n = start.line->length / (lixels - 1);
+        const double gamma = std::acos(dot(normalized(start.line->perDepth), -start.setup.light.directionWorld));
+        EXPECT_NEAR(n / ((zn + std::sqrt(zn * zf)) / std::sin(gamma)), 1, 1e-6);
+        ++tried;
+    });
+    EXPECT_GT(tried, test::scaled(test::kCases) / 10);
+}
+
 TEST(Tsm, TheFocusPointComesToLieAtEightyPercentOfTheMap)
 {
     int tried = 0;
