@@ -195,7 +195,7 @@ TEST(Lispsm, FadesToFocusedWithoutALargerJumpAsLightAndLineOfSightAlign)
             points = start.scratch.points;
             if (before) {
                 const double was = strength(*before, points), is = strength(*fit, points);
-                EXPECT_LT(is / was, kSmooth) << angle;
+                EXPECT_LT(is / was, was > 1 ? kSmooth : kLast) << angle;
                 EXPECT_LT(was / is, is > 1 ? kSmooth : kLast) << angle;
                 if (was > 1 && is == 1) {
                     ++faded;
