@@ -44,6 +44,8 @@ Setting anySetting(Rng& rng, int lights, LixelSize lixels, int width, int height
     return s;
 }
 
+MapTechnique lookupOf(const char* text) { return std::get<MapTechnique>(*parseTechnique(text)); }
+
 bool isSamePicture(const Image<Rgba8>& a, const Image<Rgba8>& b)
 {
     return a.width() == b.width() && a.height() == b.height() &&
@@ -70,6 +72,54 @@ TEST_F(ExecutorTest, BothExecutorsAgreeOnTheSameSamples)
     });
     std::printf("%zu of %zu differ\n", differing, all);
     EXPECT_LT(double(differing), 1e-3 * double(all));
+}
+
+template <std::size_t n>
+std::string anyOf(const std::array<const char*, n>& all, Rng& rng)
+{
+    return all[std::size_t(rng.integer(0, int(n) - 1))];
+}
+
+// The lookup knows nothing of how its maps came to be: several depths in maps of every partition, fit and warp.
+TEST_F(ExecutorTest, BothExecutorsAgreeOnSeveralDepthsInMapsOfAnyKind)
+{
+    constexpr std::array kPartitions{"", "pssm(3)+", "sdsm(2)+", "cube+"};
+    constexpr std::array kFits{"focused", "desired-view(rotated)", "minimal-frustum", "psm", "tsm", "lispsm",
+                               "uniform"};
+    constexpr std::array kWarps{"", "+rtw(grid=16)", "+now(grid=16)"};
+    constexpr std::array kDepths{"+depths(2,max)", "+depths(2,min)", "+depths(3)",
+                                 "+depths(4)",     "+depths(5)",     "+depths(8)"};
+    constexpr std::array kKernels{"", "+pcf(4)", "+pcf(9,rotated)", "+bilinear", "+dual-plane"};
+    GlExecutor executor;
+    std::size_t all = 0, differing = 0;
+    int refused = 0;
+    forEachCase(16, [&](Rng& rng) {
+        Setting s = anySetting(rng, 2, {96, 96}, 96, 72);
+        const ViewSamples samples = executor.viewSamples(s.casters, s.view);
+        const Box box = s.scene.boxWorld();
+        const std::string words = anyOf(kPartitions, rng) + anyOf(kFits, rng) + anyOf(kWarps, rng) +
+                                  anyOf(kDepths, rng) + anyOf(kKernels, rng);
+        SCOPED_TRACE(words);
+        PlanInput input{s.view, s.lights, {&box, 1}, s.scene.originWorld, lookupOf(words.c_str()), {96, 96}};
+        input.seen = &samples;
+        s.plan = planShadows(input);
+        const std::vector<Visibility> drawn = executor.run(s.plan, s.casters, samples);
+        const std::vector<Visibility> traced = runTraced(TraceScene(s.casters), s.plan, samples);
+        for (std::size_t light = 0; light < s.lights.size(); ++light) {
+            refused += s.plan.lights[light].refused.has_value();
+            if (s.plan.lights[light].refused) continue;
+            for (std::size_t i = 0; i < samples.size(); ++i) {
+                if (!isLightFacing(s.lights[light], {}, toDouble(samples.positionLocal[i]),
+                                   toDouble(samples.normal[i])))
+                    continue;
+                ++all;
+                differing += drawn[light].value[i] != traced[light].value[i];
+            }
+        }
+    });
+    std::printf("%zu of %zu differ, %d maps refused\n", differing, all, refused);
+    EXPECT_LT(double(differing), 1e-3 * double(all));
+    EXPECT_LT(refused, scaled(16) / 2);
 }
 
 TEST_F(ExecutorTest, AFrameOnTheDeviceIsThePictureOfItsSamplesAndTheirVisibility)
@@ -140,8 +190,6 @@ TEST_F(ExecutorTest, MapsAreDrawnAgainOnlyWhenTheyOrTheirCastersDiffer)
     EXPECT_EQ(drawn(nothing), 3u);
     EXPECT_EQ(drawn(nothing), 0u);
 }
-
-MapTechnique lookupOf(const char* text) { return std::get<MapTechnique>(*parseTechnique(text)); }
 
 TEST_F(ExecutorTest, WhatLookupsPrepareStaysWithItsMapsAndNothingIsMadeForItTwice)
 {

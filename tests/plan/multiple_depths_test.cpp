@@ -174,23 +174,26 @@ TEST(MultipleDepths, TheFarthestNeverDarkensAndTheNearestNeverLightens)
 TEST(MultipleDepths, TheOrderInWhichDepthsAreStoredIsNothing)
 {
     forEachCase(kCases, [](Rng& rng) {
-        const shared::LxLookup how = howOf("depths(4)");
+        const std::string store =
+            anyOf<std::string>({"depths(3)", "depths(3,q=25)", "depths(4)", "depths(4,q=25)"}, rng);
+        const shared::LxLookup how = howOf(store + "+" + anyOf(kKernels, rng));
         const RandomMap map(rng);
         const shared::LxReceiver r = anyReceiver(rng);
         struct Shuffled : FunctionMap<RandomMap>
         {
-            std::array<int, 3> order{1, 2, 3};
+            std::vector<int> order; // of all but the lixel's own, which comes first
             shared::LxWords words(int x, int y, int layer) const
             {
                 shared::LxWords sorted = FunctionMap<RandomMap>::words(x, y, layer), out = sorted;
-                for (int i = 0; i < 3; ++i) out.words[i + 1] = sorted.words[order[std::size_t(i)]];
+                for (std::size_t i = 0; i < order.size(); ++i) out.words[i + 1] = sorted.words[order[i]];
                 return out;
             }
         };
-        Shuffled shuffled{{how, plainRegion().rectangle, 0, map}};
-        for (int i = 2; i > 0; --i)
+        Shuffled shuffled{{how, plainRegion().rectangle, 0, map}, {}};
+        for (int i = 1; i < how.depths; ++i) shuffled.order.push_back(i);
+        for (int i = how.depths - 2; i > 0; --i)
             std::swap(shuffled.order[std::size_t(i)], shuffled.order[std::size_t(rng.integer(0, i))]);
-        EXPECT_EQ(shared::lxVisibility(how, plainRegion(), r, 0u, shuffled), litBy(how, plainRegion(), r, map));
+        EXPECT_EQ(shared::lxVisibility(how, plainRegion(), r, 7u, shuffled), litBy(how, plainRegion(), r, map, 7));
     });
 }
 
