@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/scene/gltf_file.h"
 
+#include "lixel/scene/image_decode.h"
 #include "lixel/scene/uri.h"
 
 #include <fmt/format.h>
@@ -204,7 +205,8 @@ JsonAt File::element(const char* array, int i) const { return root().require(arr
 std::vector<std::byte> File::readImage(const JsonAt& uri) const
 {
     if (isDataUri(uri.text())) return dataOf(uri);
-    return readImageNeighbour(baseDirectory_, pathOf(uri), name_, uri.place());
+    InputBytes bytes = openNeighbour(baseDirectory_, pathOf(uri), name_, uri.place());
+    return readImageBytes(bytes, name_, uri.place());
 }
 
 std::string File::pathOf(const JsonAt& uri) const

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/scene/image_decode.h"
 
-#include "lixel/scene/input_file.h"
-
 #include <fmt/format.h>
 
 #define STB_IMAGE_IMPLEMENTATION
@@ -26,12 +24,37 @@ namespace {
 // Deflate cannot make more than 1032 bytes of one (RFC 1951: 258 bytes from two bits); the other formats make fewer.
 constexpr std::size_t kMostPixelBytesPerFileByte = 1100;
 
+constexpr std::size_t kMostFileBytes = std::size_t(512) << 20;
+constexpr std::size_t kLarge = std::size_t(16) << 20; // whose start is looked at first ...
+constexpr std::size_t kStart = std::size_t(1) << 20;  // ... where the size of every image stands
+
 struct FreePixels
 {
     void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
 };
 
+// Its header's width, height and channels, as far as they are in range.
+bool readHeader(std::span<const std::byte> bytes, int& width, int& height, int& channels)
+{
+    const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    return stbi_info_from_memory(data, int(bytes.size()), &width, &height, &channels) != 0;
+}
+
+[[noreturn]] void refuseFormat(const std::string& file, const std::string& place)
+{
+    refuse(file, place,
+           fmt::format("expected a PNG, JPEG, BMP or TGA image of at most {0}x{0} pixels", kMostImageSide));
+}
+
 } // namespace
+
+std::vector<std::byte> readImageBytes(InputBytes& bytes, const std::string& file, const std::string& place)
+{
+    if (bytes.size() > kMostFileBytes) refuse(file, place, "expected an image file of at most 512 MiB");
+    int width = 0, height = 0, channels = 0;
+    if (bytes.size() > kLarge && !readHeader(bytes.read(0, kStart), width, height, channels)) refuseFormat(file, place);
+    return bytes.read(0, bytes.size());
+}
 
 Image<Rgba8> decodeImage(std::span<const std::byte> bytes, RowOrder rows, const std::string& file,
                          const std::string& place)
@@ -44,9 +67,7 @@ Image<Rgba8> decodeImage(std::span<const std::byte> bytes, RowOrder rows, const 
 
     // The header is judged before anything is unpacked.
     int width = 0, height = 0, channels = 0;
-    if (!stbi_info_from_memory(data, size, &width, &height, &channels))
-        refuse(file, place,
-               fmt::format("expected a PNG, JPEG, BMP or TGA image of at most {0}x{0} pixels", kMostImageSide));
+    if (!readHeader(bytes, width, height, channels)) refuseFormat(file, place);
     if (width < 1 || height < 1 || width > kMostImageSide || height > kMostImageSide)
         refuse(
             file, place,

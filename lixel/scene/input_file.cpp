@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::uintmax_t kMostFileBytes = std::uintmax_t(4) << 30;
 constexpr std::size_t kMostJsonBytes = std::size_t(256) << 20;
-constexpr std::size_t kMostImageBytes = std::size_t(512) << 20;
 constexpr std::size_t kBlockBytes = std::size_t(1) << 20; // of text, read at a time
 
 // Length of the UTF-8 sequence that starts at `text`, 0 where there is none (RFC 3629: no overlong forms, no
@@ -169,15 +168,6 @@ InputBytes openNeighbour(const std::string& baseDirectory, const std::string& re
     } catch (const InputError& problem) {
         refuse(file, place, problem.what());
     }
-}
-
-std::vector<std::byte> readImageNeighbour(const std::string& baseDirectory, const std::string& relative,
-                                          const std::string& file, const std::string& place)
-{
-    InputBytes bytes = openNeighbour(baseDirectory, relative, file, place);
-    if (bytes.size() > kMostImageBytes)
-        refuse(file, place, fmt::format("expected an image file of at most 512 MiB, found '{}'", printable(relative)));
-    return bytes.read(0, bytes.size());
 }
 
 } // namespace lixel

@@ -50,11 +50,8 @@ std::string readJsonFile(const std::string& path);
 std::string readJsonText(InputBytes& bytes, std::size_t offset, std::size_t count, const std::string& file,
                          std::string_view expected);
 
-// A file that another one names, beside it: its bytes; an image's, at most 512 MiB. Absolute names, and any name where
-// `baseDirectory` is empty, are refused.
+// A file that another one names, beside it. Absolute names, and any name where `baseDirectory` is empty, are refused.
 InputBytes openNeighbour(const std::string& baseDirectory, const std::string& relative, const std::string& file,
                          const std::string& place);
-std::vector<std::byte> readImageNeighbour(const std::string& baseDirectory, const std::string& relative,
-                                          const std::string& file, const std::string& place);
 
 } // namespace lixel

@@ -53,8 +53,9 @@ private:
         std::replace(name.begin(), name.end(), '\\', '/');
         try {
             // vt = 0 is the last row of the file, and row 0 of Texture.
-            return decodeImage(readImageNeighbour(baseDirectory_, name, file_, "map"), RowOrder::FileLast, file_,
-                               printable(name));
+            InputBytes bytes = openNeighbour(baseDirectory_, name, file_, "map");
+            const std::string shown = printable(name);
+            return decodeImage(readImageBytes(bytes, file_, shown), RowOrder::FileLast, file_, shown);
         } catch (const InputError& problem) {
             scene_.warnings.push_back(fmt::format("{}; left out", problem.what()));
             return std::nullopt;

@@ -226,6 +226,11 @@ TEST_F(RefusedInput, GigabytesOfNothingAreNotReadFirst)
         if (std::string_view(name) != "buffer.gltf") fs::resize_file(folder_.path() / name, size);
         expectMention(refusal({"render", name, "-o", "a.png"}, kBadInput), name);
     }
+    write("image.png", "\x89PNG\r\n\x1a\n");
+    fs::resize_file(folder_.path() / "image.png", 500u << 20);
+    write("image.gltf", R"({"asset": {"version": "2.0"}, "images": [{"uri": "image.png"}], "textures": [{"source": 0}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}]})");
+    expectMention(refusal({"render", "image.gltf", "-o", "a.png"}, kBadInput), "PNG");
     write("start.json", "{}");
     fs::resize_file(folder_.path() / "start.json", size);
     expectMention(renderRefusal({"--view", "start.json"}, kBadInput), "zero byte");
