@@ -177,7 +177,7 @@ void checkOptions(const RenderOptions& options)
     if (!options.plan.empty()) expectWritable(options.plan);
 }
 
-// The files of one run: all of them, or none where one cannot be written.
+// The files of one run: where one cannot be written, new ones go too.
 class Results
 {
 public:
@@ -187,19 +187,20 @@ public:
     ~Results()
     {
         std::error_code ignored;
-        for (const std::string& path : written_)
-            if (std::filesystem::is_regular_file(path, ignored)) std::filesystem::remove(path, ignored);
+        for (const std::string& path : made_) std::filesystem::remove(path, ignored);
     }
 
     void write(const std::string& path, const std::function<void(const std::string&)>& writeTo)
     {
+        std::error_code ignored;
+        const bool isNew = path != "-" && !std::filesystem::exists(path, ignored);
         writeTo(path);
-        if (path != "-") written_.push_back(path);
+        if (isNew) made_.push_back(path);
     }
-    void keep() { written_.clear(); }
+    void keep() { made_.clear(); }
 
 private:
-    std::vector<std::string> written_;
+    std::vector<std::string> made_;
 };
 
 void renderShot(const RenderOptions& options, const Shooting& shooting, const TechniqueChoice& technique,
