@@ -31,6 +31,7 @@ OutputFolder::OutputFolder(const fs::path& path) : path_(path)
     std::error_code error;
     for (fs::path above = path; !above.empty() && !fs::exists(above, error); above = above.parent_path())
         made_.push_back(above);
+    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) removeWhenInterrupted(*folder);
     makeFolder(path);
 }
 

@@ -47,28 +47,21 @@ int reserveSlot(const std::string& path)
     return -1;
 }
 
-// What is staged, the newest first, for the signal handler too: a name that is linked stays as it is until the process ends.
-struct StagedName
+// What goes with an interrupted process, the newest first, for the signal handler too: a name that is linked stays as it is until the
+// process ends.
+struct InterruptedName
 {
     std::string path;
-    StagedName* older;
+    InterruptedName* older;
 };
-std::atomic<StagedName*> stagedNames{nullptr};
-static_assert(std::atomic<StagedName*>::is_always_lock_free);
+std::atomic<InterruptedName*> interruptedNames{nullptr};
+static_assert(std::atomic<InterruptedName*>::is_always_lock_free);
 
 constexpr std::string_view kStagedPrefix = ".lixel-staged-";
 
 bool isStaged(const fs::path& path)
 {
     return path.native().find("/" + std::string(kStagedPrefix)) != std::string::npos;
-}
-
-// Before it is there, so that none can slip through.
-void noteStaged(const fs::path& path)
-{
-    auto* const name = new StagedName{path.native(), stagedNames.load()};
-    while (!stagedNames.compare_exchange_weak(name->older, name)) {
-    }
 }
 
 std::string reasonOf(int errorNumber) { return std::generic_category().message(errorNumber); }
@@ -141,7 +134,7 @@ void AtomicFile::commit()
     descriptor_ = -1;
     if (closed != 0) fail(errno);
     if (slot_ < 0) return;
-    if (isStaged(target_)) noteStaged(target_);
+    if (isStaged(target_)) removeWhenInterrupted(target_);
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     pendingFiles[slot_].state.store(PendingFile::Free);
     slot_ = -1;
@@ -170,6 +163,13 @@ void writeFileAtomically(const fs::path& path, std::string_view bytes)
     file.commit();
 }
 
+void removeWhenInterrupted(const fs::path& path)
+{
+    auto* const name = new InterruptedName{path.native(), interruptedNames.load()};
+    while (!interruptedNames.compare_exchange_weak(name->older, name)) {
+    }
+}
+
 void makeFolder(const fs::path& path)
 {
     std::error_code error;
@@ -194,7 +194,7 @@ StagedFolder::~StagedFolder()
 void StagedFolder::makeFolder(const std::string& name)
 {
     const fs::path made = name.empty() ? path_ : path_ / name;
-    noteStaged(made);
+    removeWhenInterrupted(made);
     lixel::makeFolder(made);
 }
 
@@ -234,7 +234,7 @@ void removePendingFiles() noexcept
     for (PendingFile& pending : pendingFiles)
         if (pending.state.load() == PendingFile::Named) unlink(pending.path);
     // Files come after their folders, that is, before them in the list.
-    for (const StagedName* name = stagedNames.load(); name; name = name->older)
+    for (const InterruptedName* name = interruptedNames.load(); name; name = name->older)
         if (unlink(name->path.c_str()) != 0) rmdir(name->path.c_str());
 }
 

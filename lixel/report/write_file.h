@@ -42,6 +42,9 @@ private:
 
 void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes); // throws OutputError
 
+// To be called before the file or folder is there: removePendingFiles() removes it too, a folder only when it is empty.
+void removeWhenInterrupted(const std::filesystem::path& path);
+
 // Makes the folder and those above it; throws OutputError. Nothing is wrong when it is there already.
 void makeFolder(const std::filesystem::path& path);
 
@@ -66,8 +69,8 @@ private:
     std::filesystem::path folder_, path_;
 };
 
-// Removes the temporary files of every AtomicFile that is still open, in all threads, and those that are staged. Safe to call in a signal handler;
-// the process must end after it.
+// Removes the temporary files of every AtomicFile that is still open, in all threads, those that are staged, and what is named to
+// removeWhenInterrupted(). Safe to call in a signal handler; the process must end after it.
 void removePendingFiles() noexcept;
 
 } // namespace lixel
