@@ -122,5 +122,19 @@ TEST(Triangulate, CoversAnyStarShapedPolygonOnce)
     });
 }
 
+// Text is read a mebibyte at a time: ends of lines, continued lines and numbers may lie across the border.
+TEST(Obj, LinesMayLieAcrossTheBlocksThatAreRead)
+{
+    for (const std::string end : {"\n", "\r\n", "\r"})
+        for (int shift = -24; shift <= 8; ++shift) {
+            const std::string comment(std::size_t((1 << 20) + shift) - end.size(), '#');
+            const Scene scene =
+                loadObj(comment + end + "v 0 0\\" + end + " 0" + end + "v 1 0 0" + end + "v 0 1.25 0" + end + "f 1 2 3",
+                        "a.obj", "");
+            ASSERT_EQ(scene.meshes.size(), 1u);
+            EXPECT_EQ(scene.meshes[0].position, (std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {0, 1.25f, 0}})) << shift;
+        }
+}
+
 } // namespace
 } // namespace lixel::test
