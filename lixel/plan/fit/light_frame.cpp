@@ -482,9 +482,9 @@ Fit fitRectangleAsItIs(const LightFrame& frame, const OrientedRectangle& rectang
 }
 
 Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double nearDepth, double farDepth,
-                 const FitInput& input)
+                 const FitInput& input, double leastScale)
 {
-    const double scale = length(rectangle.centre) + length(rectangle.halfSize);
+    const double scale = std::max(leastScale, length(rectangle.centre) + length(rectangle.halfSize));
     const double room = kLeastRelativeHalfSize * scale, least = frame.isPerspective ? kLeastTangent : kLeastRoom;
     rectangle.halfSize = {std::max(kBorder * rectangle.halfSize.x + room, least),
                           std::max(kBorder * rectangle.halfSize.y + room, least)};

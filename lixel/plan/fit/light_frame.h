@@ -115,8 +115,8 @@ Fit fitRectangleAsItIs(const LightFrame& frame, const OrientedRectangle& rectang
                        const FitInput& input);
 
 // As fitRectangle() with the nearest depth of casters known. Depths that are all but one, as those of a floor right across the light, get
-// a span that floats resolve.
+// a span that floats resolve. The room around the rectangle goes with its coordinates, or with `leastScale` where that is more.
 Fit fitRectangle(const LightFrame& frame, OrientedRectangle rectangle, double nearDepth, double farDepth,
-                 const FitInput& input);
+                 const FitInput& input, double leastScale = 0);
 
 } // namespace lixel

@@ -245,8 +245,11 @@ FitResult fitStable(const FitInput& input)
         near = std::min(near, depth);
         far = std::max(far, depth);
     }
-    Fit fit = fitRectangle(frame, {onLightPlane(frame, sphere->centre), {1, 0}, {sphere->radius, sphere->radius}}, near,
-                           far, input);
+    const OrientedRectangle square{onLightPlane(frame, sphere->centre), {1, 0}, {sphere->radius, sphere->radius}};
+    // Room for the rounding of coordinates, too, is the same wherever the square is, or, far from the origin, within an octave.
+    const double away = length(square.centre), reach = 4 * sphere->radius;
+    const double scale = 2 * (away <= reach ? reach : std::exp2(std::ceil(std::log2(away))));
+    Fit fit = fitRectangle(frame, square, near, far, input, scale);
     fit.snapsToWorld = true;
     return fit;
 }
