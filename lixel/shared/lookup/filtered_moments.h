@@ -2,6 +2,7 @@
 // vsm, evsm2, evsm4, msm: what the stored moments around a receiver say of it. One text for the CPU executor and for GLSL.
 #ifndef LIXEL_SHARED_LOOKUP_FILTERED_MOMENTS_H
 #define LIXEL_SHARED_LOOKUP_FILTERED_MOMENTS_H
+#include "lixel/shared/lookup.h"
 #include "lixel/shared/lookup/kernel.h"
 #include "lixel/shared/lookup/moments.h"
 

@@ -2,6 +2,7 @@
 // hardware-pcf: the 2x2 comparison of texture units. One text for the CPU executor and for GLSL.
 #ifndef LIXEL_SHARED_LOOKUP_HARDWARE_PCF_H
 #define LIXEL_SHARED_LOOKUP_HARDWARE_PCF_H
+#include "lixel/shared/lookup.h"
 #include "lixel/shared/lookup/maps.h"
 
 LX_SHARED_BEGIN
