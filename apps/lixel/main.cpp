@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "exit_code.h"
 #include "lixel/gl/graphics_error.h"
+#include "lixel/report/interruption.h"
 #include "lixel/report/write_file.h"
 #include "lixel/scene/load.h"
 #include "output.h"
@@ -26,9 +27,9 @@ using namespace lixel::app;
 bool hasTerminal = false; // a progress bar may stand in the line
 
 // Ctrl-C: what is half-written goes, the rest stays.
-extern "C" void onInterrupt(int)
+extern "C" void onInterrupt(int signal)
 {
-    removePendingFiles();
+    if (!removePendingFiles(signal)) return;
     constexpr char kMessage[] = "\nlixel: interrupted\n";
     const int skipped = hasTerminal ? 0 : 1;
     if (write(STDERR_FILENO, kMessage + skipped, sizeof kMessage - 1 - std::size_t(skipped)) < 0) _exit(kInterrupted);
@@ -89,8 +90,9 @@ int run(int argc, char** argv)
 int main(int argc, char** argv)
 {
     hasTerminal = isatty(STDERR_FILENO) == 1;
-    std::signal(SIGINT, onInterrupt);
-    std::signal(SIGTERM, onInterrupt);
+    for (const int signal : {SIGINT, SIGTERM, SIGQUIT}) std::signal(signal, onInterrupt);
+    if (std::signal(SIGHUP, onInterrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN); // nohup
+    std::signal(SIGPIPE, SIG_IGN); // a reader that goes away is an error of writing
     try {
         const int code = run(argc, argv);
         finishPrinting();

@@ -20,10 +20,7 @@ namespace {
 void expectWritable(const fs::path& path)
 {
     // A pipe that is opened and closed would end its reader.
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    const bool isDevice = fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-    if (path != "-" && !isDevice) AtomicFile discarded(path);
+    if (path != "-" && !placeOf(path).isInPlace) AtomicFile discarded(path);
 }
 
 OutputFolder::OutputFolder(const fs::path& path) : path_(path)
@@ -43,16 +40,22 @@ OutputFolder::~OutputFolder()
 
 ReportFolder::ReportFolder(const std::filesystem::path& path, bool withPictures) : folder_(path)
 {
-    if (withPictures) pictures_.emplace(path / "pictures");
+    if (withPictures) {
+        pictures_.emplace(path / "pictures");
+        expectWritable(path / "pictures" / "any.png");
+    }
     for (const char* name : {"results.json", "report.html"}) expectWritable(path / name);
-    if (!withPictures) return;
     staged_.emplace(path);
-    staged_->makeFolder("pictures");
+    if (withPictures) staged_->makeFolder("pictures");
 }
 
-void ReportFolder::finish()
+bool isSameOutput(const fs::path& one, const fs::path& other)
 {
-    if (staged_) staged_->commit();
+    if (one == "-" || other == "-") return one == other;
+    std::error_code error;
+    if (fs::exists(one, error) && !fs::is_regular_file(one, error)) return false;
+    const fs::path first = fs::weakly_canonical(fs::absolute(one), error);
+    return first == fs::weakly_canonical(fs::absolute(other), error) || fs::equivalent(one, other, error);
 }
 
 void writeOrPrint(const fs::path& path, std::string_view bytes)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lixel/report/write_file.h"
+#include "lixel/report/staged_files.h"
 
 #include <filesystem>
 #include <optional>
@@ -31,21 +31,24 @@ private:
     std::vector<std::filesystem::path> made_; // from the innermost
 };
 
-// The folder of the report and what it will hold, asked for before the work begins. With pictures all is written to
-// writeTo(), and takes its place at the end: whoever breaks off keeps the report that was there.
+// The folder of the report and what it will hold, asked for before the work begins. All is written to writeTo(), and takes its
+// place at the end: whoever breaks off keeps the report that was there.
 class ReportFolder
 {
 public:
     ReportFolder(const std::filesystem::path& path, bool withPictures); // throws OutputError
 
-    const std::filesystem::path& writeTo() const { return staged_ ? staged_->path() : folder_.path(); }
-    void finish(); // throws OutputError
+    const std::filesystem::path& writeTo() const { return staged_->path(); }
+    void finish() { staged_->commit(); } // throws OutputError
 
 private:
     OutputFolder folder_;
     std::optional<OutputFolder> pictures_;
-    std::optional<StagedFolder> staged_;
+    std::optional<StagedFolder> staged_; // always there: made last
 };
+
+// Whether two names are of one file, which cannot hold both; "-" is the same as itself. A device takes anything.
+bool isSameOutput(const std::filesystem::path& one, const std::filesystem::path& other);
 
 // To a file, whole or not at all, or to standard output for "-". Throws OutputError.
 void writeOrPrint(const std::filesystem::path& path, std::string_view bytes);

@@ -3,6 +3,7 @@
 
 #include "lixel/plan/clip_convention.h"
 #include "lixel/scene/input_file.h"
+#include "lixel/scene/json_text.h"
 #include "lixel/scene/view_json.h"
 
 #include <nlohmann/json.hpp>

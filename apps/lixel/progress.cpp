@@ -13,7 +13,6 @@
 namespace lixel::app {
 namespace {
 
-constexpr int kBarWidth = 24;
 constexpr double kAlike = 3;         // a step that takes longer than so many of those before is not like them
 constexpr double kFirstShare = 0.01; // of a loop, from which its end is foretold
 
@@ -30,15 +29,29 @@ std::string asClock(double seconds)
     return fmt::format("{}:{:02}:{:02}", all / 3600, all / 60 % 60, all % 60);
 }
 
-// So that the line never wraps: a wrapped one could not be taken away. Bytes that go on with a character count nothing.
-std::string cutToTerminal(std::string line)
+int terminalColumns()
 {
     winsize size{};
-    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) size.ws_col = 80;
-    int columns = 0;
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? int(size.ws_col) : 80;
+}
+
+// The bar gives way to what is said in numbers.
+int barWidthIn(int columns)
+{
+    if (columns < 40) return 0;
+    return columns < 64 ? 8 : 24;
+}
+
+// So that the line never wraps: a wrapped one could not be taken away. Bytes that go on with a character count nothing; from
+// U+1000 on a character may be two columns wide, and counts so.
+std::string cutTo(int columns, std::string line)
+{
+    int taken = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        if ((static_cast<unsigned char>(line[i]) & 0xc0) == 0x80) continue;
-        if (++columns == int(size.ws_col)) return line.substr(0, i);
+        const auto byte = static_cast<unsigned char>(line[i]);
+        if ((byte & 0xc0) == 0x80) continue;
+        taken += byte >= 0xe1 ? 2 : 1;
+        if (taken >= columns) return line.substr(0, i);
     }
     return line;
 }
@@ -95,14 +108,17 @@ void Progress::draw()
     if (share > kFirstShare) left = secondsSince(loop->begin) * (1 - share) / share + aStep * (steps_ - done - 1);
     else if (done > 1 && inStep < kAlike * aStep) left = std::max(aStep - inStep, 0.0) + aStep * (steps_ - done - 1);
 
-    filled_ = std::max(filled_, int(kBarWidth * (done + share) / steps_));
-    std::string line = fmt::format("{} [{:=<{}}{:{}}] ", what_, "", filled_, "", kBarWidth - filled_);
+    shownShare_ = std::max(shownShare_, (done + share) / steps_);
+    const int columns = terminalColumns(), width = barWidthIn(columns);
+    const int filled = std::min(int(width * shownShare_), width);
+    std::string line = what_ + " ";
+    if (width > 0) line += fmt::format("[{:=<{}}{:{}}] ", "", filled, "", width - filled);
     if (steps_ > 1) line += fmt::format("{}/{} ", done, steps_);
     line += asClock(passed);
     if (left) line += fmt::format(", {} left", asClock(*left));
     if (!now_.empty()) line += fmt::format("  {}", now_);
     if (loop) line += fmt::format(" {:.0f} %", 100 * share);
-    std::fputs(("\r\033[K" + cutToTerminal(std::move(line))).c_str(), stderr);
+    std::fputs(("\r\033[K" + cutTo(columns, std::move(line))).c_str(), stderr);
     std::fflush(stderr);
     isDrawn_ = true;
 }

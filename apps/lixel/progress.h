@@ -40,7 +40,8 @@ private:
 
     std::mutex mutex_;
     std::condition_variable isOver_;
-    int begun_ = 0, filled_ = 0;
+    int begun_ = 0;
+    double shownShare_ = 0; // of all steps; never goes back
     Clock::time_point stepBegin_ = begin_;
     std::string now_;
     bool over_ = false, isDrawn_ = false;

@@ -15,8 +15,9 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <functional>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -170,38 +171,18 @@ void checkOptions(const RenderOptions& options)
     expectEnding(options.output, ".png", "-o");
     expectEnding(options.exr, ".exr", "--exr");
     if (options.exr == "-") throw UsageError("--exr -: expected the name of a file");
-    if (!options.exr.empty() && options.exr == options.output) throw UsageError("-o and --exr: expected two files");
+    const std::pair<const char*, const std::string*> files[] = {
+        {"-o", &options.output}, {"--exr", &options.exr}, {"--plan", &options.plan}};
+    for (std::size_t i = 0; i < std::size(files); ++i)
+        for (std::size_t j = i + 1; j < std::size(files); ++j)
+            if (!files[i].second->empty() && !files[j].second->empty() &&
+                isSameOutput(*files[i].second, *files[j].second))
+                throw UsageError(fmt::format("{} and {}: expected two files", files[i].first, files[j].first));
     if (options.picture.view == "all") throw UsageError("--view all: render takes one view; lixel compare takes all");
     if (!options.output.empty()) expectWritable(options.output);
     if (!options.exr.empty()) expectWritable(options.exr);
     if (!options.plan.empty()) expectWritable(options.plan);
 }
-
-// The files of one run: where one cannot be written, new ones go too.
-class Results
-{
-public:
-    Results() = default;
-    Results(const Results&) = delete;
-    Results& operator=(const Results&) = delete;
-    ~Results()
-    {
-        std::error_code ignored;
-        for (const std::string& path : made_) std::filesystem::remove(path, ignored);
-    }
-
-    void write(const std::string& path, const std::function<void(const std::string&)>& writeTo)
-    {
-        std::error_code ignored;
-        const bool isNew = path != "-" && !std::filesystem::exists(path, ignored);
-        writeTo(path);
-        if (isNew) made_.push_back(path);
-    }
-    void keep() { made_.clear(); }
-
-private:
-    std::vector<std::string> made_;
-};
 
 void renderShot(const RenderOptions& options, const Shooting& shooting, const TechniqueChoice& technique,
                 const LixelBudget& lixels, Executor& executor)
@@ -216,23 +197,20 @@ void renderShot(const RenderOptions& options, const Shooting& shooting, const Te
     progress.step("shadows");
     addShadows(picture, executor, technique, lixels);
     progress.step("picture");
-    Results results;
-    if (!options.output.empty())
-        results.write(options.output, [&](const std::string& path) {
-            const auto pixels = executor.shade(stage, picture.view, shot.lights, picture.samples, picture.visibility);
-            writeOrPrint(path, encodePng(pixels));
-        });
-    if (!options.exr.empty())
-        results.write(options.exr, [&](const std::string& path) {
-            Channels channels(picture.samples);
-            addSurfaces(channels, picture);
-            for (std::size_t i = 0; i < shot.lights.size(); ++i) addLight(channels, picture, i, options);
-            channels.write(path);
-        });
-    if (!options.plan.empty())
-        results.write(options.plan,
-                      [&](const std::string& path) { writeOrPrint(path, toPlanJson(*picture.plan, shot.lights)); });
-    results.keep();
+    StagedFiles files;
+    const auto placeFor = [&](const std::string& path) { return path == "-" ? path : files.add(path).string(); };
+    if (!options.output.empty()) {
+        const auto pixels = executor.shade(stage, picture.view, shot.lights, picture.samples, picture.visibility);
+        writeOrPrint(placeFor(options.output), encodePng(pixels));
+    }
+    if (!options.exr.empty()) {
+        Channels channels(picture.samples);
+        addSurfaces(channels, picture);
+        for (std::size_t i = 0; i < shot.lights.size(); ++i) addLight(channels, picture, i, options);
+        channels.write(placeFor(options.exr));
+    }
+    if (!options.plan.empty()) writeOrPrint(placeFor(options.plan), toPlanJson(*picture.plan, shot.lights));
+    files.commit();
 }
 
 int runRender(const RenderOptions& options)

@@ -12,7 +12,6 @@
 namespace lixel {
 namespace {
 
-constexpr std::size_t kMostDrawn = std::size_t(1) << 26;
 constexpr double kMostCoordinate = 1e30;
 
 struct MeshFacts

@@ -118,18 +118,23 @@ void Accessor::placeInView(const JsonAt& accessor)
     if (viewIndex < 0) {
         file_.spendOnNothing(count_ * elementBytes_, accessor.require("count"));
         own_.assign(count_ * elementBytes_, std::byte(0));
-        bytes_ = own_, stride_ = elementBytes_;
+        stride_ = elementBytes_;
         return;
     }
     const BufferView view = file_.view(viewIndex);
-    const std::size_t offset = accessor.integerOr("byteOffset", 0, 0, kMostOffset);
     stride_ = view.stride == 0 ? elementBytes_ : view.stride;
-    const std::size_t end = offset + stride_ * (count_ - 1) + elementBytes_; // below 2^41: no overflow
-    if (end > view.bytes.size())
+    view_ = viewIndex;
+    offset_ = accessor.integerOr("byteOffset", 0, 0, kMostOffset);
+    size_ = stride_ * (count_ - 1) + elementBytes_; // below 2^41: no overflow
+    if (offset_ + size_ > view.size)
         accessor.refuse(
             fmt::format("expected {} elements within the {} bytes of its bufferView, found the last to end at {}",
-                        count_, view.bytes.size(), end));
-    bytes_ = view.bytes.subspan(offset);
+                        count_, view.size, offset_ + size_));
+}
+
+std::span<const std::byte> Accessor::bytes() const
+{
+    return own_.empty() ? file_.bytes(view_, offset_, size_) : std::span<const std::byte>(own_);
 }
 
 // Section 3.6.2.3: some elements are replaced.
@@ -141,15 +146,15 @@ void Accessor::overlaySparse(const JsonAt& sparse)
     const std::size_t indexBytes = componentBytes(indexComponent);
     const auto elements = gather<std::uint32_t>(bytesOf(indices, indexBytes, replaced), indexBytes, 1, indexComponent,
                                                 replaced, kEach, [](auto value) { return std::uint32_t(value); });
-    const std::span<const std::byte> replacements = bytesOf(values, elementBytes_, replaced);
-
     if (own_.empty()) {
         file_.spend(count_ * elementBytes_, sparse);
-        own_.resize(count_ * elementBytes_);
+        const std::span<const std::byte> base = bytes();
+        std::vector<std::byte> all(count_ * elementBytes_);
         for (std::size_t i = 0; i < count_; ++i)
-            std::memcpy(own_.data() + i * elementBytes_, bytes_.data() + i * stride_, elementBytes_);
-        bytes_ = own_, stride_ = elementBytes_;
+            std::memcpy(all.data() + i * elementBytes_, base.data() + i * stride_, elementBytes_);
+        own_ = std::move(all), stride_ = elementBytes_;
     }
+    const std::span<const std::byte> replacements = bytesOf(values, elementBytes_, replaced);
     for (std::size_t i = 0; i < replaced; ++i) {
         if (elements[i] >= count_)
             indices.refuse(fmt::format("expected indices below {}, found {}", count_, elements[i]));
@@ -160,12 +165,12 @@ void Accessor::overlaySparse(const JsonAt& sparse)
 std::span<const std::byte> Accessor::bytesOf(const JsonAt& part, std::size_t elementBytes, std::size_t count) const
 {
     const JsonAt viewReference = part.require("bufferView");
-    const BufferView view = file_.view(viewReference.index(file_.count("bufferViews"), "bufferViews"));
+    const int view = viewReference.index(file_.count("bufferViews"), "bufferViews");
     const std::size_t offset = part.integerOr("byteOffset", 0, 0, kMostOffset);
-    if (offset + elementBytes * count > view.bytes.size())
-        part.refuse(
-            fmt::format("expected {} elements within the {} bytes of its bufferView", count, view.bytes.size()));
-    return view.bytes.subspan(offset, elementBytes * count);
+    const std::size_t there = file_.view(view).size;
+    if (offset + elementBytes * count > there)
+        part.refuse(fmt::format("expected {} elements within the {} bytes of its bufferView", count, there));
+    return file_.bytes(view, offset, elementBytes * count);
 }
 
 const Accessor& Accessor::expect(std::size_t components) const
@@ -183,9 +188,9 @@ std::vector<float> Accessor::floats(std::span<const std::uint32_t> elements) con
     file_.spend(count * components_ * sizeof(float), reference_);
     const auto convert = [this](auto value) { return asFloat(value, isNormalized_); };
     std::vector<float> all = elements.empty()
-                                 ? gather<float>(bytes_, stride_, components_, component_, count, kEach, convert)
+                                 ? gather<float>(bytes(), stride_, components_, component_, count, kEach, convert)
                                  : gather<float>(
-                                       bytes_, stride_, components_, component_, count,
+                                       bytes(), stride_, components_, component_, count,
                                        [&](std::size_t k) { return std::size_t(elements[k]); }, convert);
     const auto wrong =
         std::find_if(all.begin(), all.end(), [](float value) { return !(std::abs(value) <= float(kMostCoordinate)); });
@@ -207,9 +212,10 @@ std::vector<std::uint32_t> Accessor::integers(std::span<const std::uint32_t> ele
     const std::size_t count = elements.empty() ? count_ : elements.size();
     file_.spend(count * components_ * sizeof(std::uint32_t), reference_);
     const auto convert = [](auto value) { return std::uint32_t(value); };
-    if (elements.empty()) return gather<std::uint32_t>(bytes_, stride_, components_, component_, count, kEach, convert);
+    if (elements.empty())
+        return gather<std::uint32_t>(bytes(), stride_, components_, component_, count, kEach, convert);
     return gather<std::uint32_t>(
-        bytes_, stride_, components_, component_, count, [&](std::size_t k) { return std::size_t(elements[k]); },
+        bytes(), stride_, components_, component_, count, [&](std::size_t k) { return std::size_t(elements[k]); },
         convert);
 }
 

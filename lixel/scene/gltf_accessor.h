@@ -14,12 +14,11 @@ namespace lixel::gltf {
 // What the glTF file calls an accessor's component, by OpenGL's numbers.
 enum class Component { Byte = 5120, UnsignedByte, Short, UnsignedShort, UnsignedInt = 5125, Float };
 
-// One accessor, every byte of it proved to be there. Valid while the file is.
+// One accessor, every byte of it proved to be there; they are read when they are asked for. Valid while the file is.
 class Accessor
 {
 public:
     Accessor(File& file, const JsonAt& reference);
-    Accessor(Accessor&&) = default; // not copied: bytes_ may point into own_
 
     std::size_t count() const { return count_; }
     std::size_t components() const { return components_; } // 1 SCALAR ... 4 VEC4, 16 MAT4
@@ -42,14 +41,16 @@ private:
     void placeInView(const JsonAt& accessor);
     void overlaySparse(const JsonAt& sparse);
     std::span<const std::byte> bytesOf(const JsonAt& part, std::size_t elementBytes, std::size_t count) const;
+    std::span<const std::byte> bytes() const; // from the first element on, stride_ apart
 
     File& file_;
     JsonAt reference_;
     std::size_t count_ = 0, components_ = 0, elementBytes_ = 0, stride_ = 0;
     Component component_ = Component::Float;
     bool isNormalized_ = false;
-    std::span<const std::byte> bytes_; // from the first element on, stride_ apart
-    std::vector<std::byte> own_;       // where the elements had to be put together
+    int view_ = -1; // where it has one: from offset_ on, size_ bytes
+    std::size_t offset_ = 0, size_ = 0;
+    std::vector<std::byte> own_; // where the elements had to be put together
 };
 
 } // namespace lixel::gltf

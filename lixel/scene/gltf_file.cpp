@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/scene/gltf_file.h"
 
+#include "lixel/base/assert.h"
 #include "lixel/scene/image_decode.h"
+#include "lixel/scene/json_text.h"
 #include "lixel/scene/uri.h"
 
 #include <fmt/format.h>
@@ -17,7 +19,6 @@ constexpr std::size_t kMostUnpackedBytes = std::size_t(2) << 30;
 constexpr std::size_t kMostBytesFromNothing = std::size_t(256) << 20;
 constexpr std::size_t kMostViewBytes = std::size_t(4) << 30;
 constexpr std::size_t kMostOffset = std::size_t(1) << 40;
-constexpr int kMostJsonDepth = 64;
 
 // Extensions that change nothing we read, or that we read.
 constexpr std::array<std::string_view, 4> kKnownExtensions{"KHR_lights_punctual", "KHR_texture_transform",
@@ -42,16 +43,6 @@ std::vector<std::byte> dataOf(const JsonAt& uri)
     return *std::move(bytes);
 }
 
-// "line 3, column 7" of a byte of the text, both counted from 1.
-std::string linePlace(std::string_view text, std::size_t byte)
-{
-    const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    const std::size_t lineStart = before.rfind('\n');
-    return fmt::format("JSON line {}, column {}", line,
-                       before.size() - (lineStart == before.npos ? 0 : lineStart + 1) + 1);
-}
-
 } // namespace
 
 File::File(InputBytes& bytes, std::string name, std::string baseDirectory)
@@ -59,7 +50,7 @@ File::File(InputBytes& bytes, std::string name, std::string baseDirectory)
 {
     if (bytes_.size() == 0) refuse(name_, "", "is empty");
     const bool isGlb = startsWithMagic(bytes_.read(0, std::min<std::size_t>(bytes_.size(), 4)));
-    parseJson(isGlb ? splitGlb() : Range{0, bytes_.size()});
+    readJson(isGlb ? splitGlb() : Range{0, bytes_.size()});
     checkVersionAndExtensions();
     loadBuffers();
     loadViews();
@@ -96,25 +87,12 @@ File::Range File::splitGlb()
     return json;
 }
 
-void File::parseJson(Range range)
+void File::readJson(Range range)
 {
     constexpr std::string_view kExpected = "expected glTF: a GLB file, or JSON in UTF-8";
     const std::string all = readJsonText(bytes_, range.offset, range.size, name_, kExpected);
-    std::string_view text = all;
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3); // a byte order mark
-    if (!isUtf8(text)) refuse(name_, "", kExpected);
-    const nlohmann::json::parser_callback_t limitDepth = [&](int depth, nlohmann::json::parse_event_t,
-                                                             nlohmann::json&) {
-        if (depth > kMostJsonDepth) refuse(name_, "JSON", fmt::format("expected at most {} levels", kMostJsonDepth));
-        return true;
-    };
-    try {
-        json_ = nlohmann::json::parse(text, limitDepth);
-    } catch (const nlohmann::json::parse_error& error) {
-        refuse(name_, linePlace(text, error.byte), "expected valid JSON");
-    } catch (const nlohmann::json::exception&) {
-        refuse(name_, "JSON", "expected numbers that fit a double");
-    }
+    if (!isUtf8(all)) refuse(name_, "", kExpected);
+    json_ = parseJson(all, name_, RepeatedMembers::LastCounts);
     if (!json_.is_object()) refuse(name_, "JSON", "expected an object");
 }
 
@@ -176,22 +154,36 @@ void File::loadViews()
         if (offset + length > there)
             view.refuse(
                 fmt::format("expected bytes {} to {} within the {} of its buffer", offset, offset + length, there));
-        views_.push_back({buffer, {offset, length}, view.integerOr("byteStride", 0, 4, 252), {}});
+        views_.push_back({buffer, {offset, length}, view.integerOr("byteStride", 0, 4, 252), {}, {}});
     }
 }
 
-BufferView File::view(int i)
+BufferView File::view(int i) const
+{
+    const View& view = views_[std::size_t(i)];
+    return {view.range.size, view.stride};
+}
+
+// What is near what was read before is read with it: views of gigabytes may be used at one end only.
+std::span<const std::byte> File::bytes(int i, std::size_t offset, std::size_t count)
 {
     View& view = views_[std::size_t(i)];
     Buffer& buffer = buffers_[view.buffer];
-    const auto [offset, size] = view.range;
-    if (!buffer.inUri.empty()) return {std::span(buffer.inUri).subspan(offset, size), view.stride};
-    if (view.bytes.empty()) {
-        if (size > kMostViewBytes - read_) element("bufferViews", i).refuse("expected at most 4 GiB of buffer views");
-        read_ += size;
-        view.bytes = buffer.beside ? buffer.beside->read(offset, size) : bytes_.read(buffer.inGlb + offset, size);
+    LX_ASSERT(offset <= view.range.size && count <= view.range.size - offset);
+    if (!buffer.inUri.empty()) return std::span(buffer.inUri).subspan(view.range.offset + offset, count);
+    const Range there = view.isRead;
+    if (there.size == 0 || offset < there.offset || offset + count > there.offset + there.size) {
+        const std::size_t begin = there.size == 0 ? offset : std::min(offset, there.offset);
+        const std::size_t end = std::max(offset + count, there.offset + there.size);
+        if (end - begin > kMostViewBytes - read_)
+            element("bufferViews", i).refuse("expected at most 4 GiB of buffer views");
+        read_ += end - begin;
+        const std::size_t from = view.range.offset + begin;
+        view.bytes =
+            buffer.beside ? buffer.beside->read(from, end - begin) : bytes_.read(buffer.inGlb + from, end - begin);
+        view.isRead = {begin, end - begin};
     }
-    return {view.bytes, view.stride};
+    return std::span(view.bytes).subspan(offset - view.isRead.offset, count);
 }
 
 std::size_t File::count(const char* array) const

@@ -15,11 +15,11 @@ namespace lixel::gltf {
 
 struct BufferView
 {
-    std::span<const std::byte> bytes;
+    std::size_t size = 0;
     std::size_t stride = 0; // 0: elements lie side by side
 };
 
-// A glTF 2.0 file taken apart: its JSON, and its buffers with their views, all within bounds; a view is read when it is first
+// A glTF 2.0 file taken apart: its JSON, and its buffers with their views, all within bounds; bytes are read when they are
 // asked for. Each later stage (accessors, materials, meshes, nodes, animations) reads from this.
 //
 //   Khronos Group. glTF 2.0 Specification, version 2.0.1. Sections 3.6 (binary data) and 4 (GLB).
@@ -41,8 +41,9 @@ public:
     std::size_t count(const char* array) const;
     JsonAt element(const char* array, int i) const;
 
-    // Valid while the file is.
-    BufferView view(int i);
+    BufferView view(int i) const;
+    // Of a view; within it. Valid until the next call for the same view.
+    std::span<const std::byte> bytes(int view, std::size_t offset, std::size_t count);
 
     // The bytes of an image behind a URI: inside it (base64), or of a file beside this one.
     std::vector<std::byte> readImage(const JsonAt& uri) const;
@@ -74,11 +75,12 @@ private:
         std::size_t buffer = 0;
         Range range;
         std::size_t stride = 0;
-        std::vector<std::byte> bytes; // empty: not read yet
+        std::vector<std::byte> bytes; // isRead of the view
+        Range isRead;
     };
 
     Range splitGlb();
-    void parseJson(Range range);
+    void readJson(Range range);
     void checkVersionAndExtensions() const;
     void loadBuffers();
     Buffer openBuffer(const JsonAt& uri) const;

@@ -61,7 +61,8 @@ private:
             own = file_.readImage(*uri);
             bytes = own;
         } else {
-            bytes = file_.view(image.require("bufferView").index(file_.count("bufferViews"), "bufferViews")).bytes;
+            const int view = image.require("bufferView").index(file_.count("bufferViews"), "bufferViews");
+            bytes = file_.bytes(view, 0, file_.view(view).size);
         }
         Image<Rgba8> pixels = decodeImage(bytes, RowOrder::FileFirst, file_.name(), image.place());
         file_.spend(pixels.data().size() * sizeof(Rgba8), image);

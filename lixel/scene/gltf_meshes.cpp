@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/scene/gltf_meshes.h"
 
+#include "lixel/scene/check_scene.h"
 #include "lixel/scene/gltf_accessor.h"
 #include "lixel/scene/input_file.h"
 
@@ -99,13 +100,20 @@ private:
     std::vector<std::uint32_t> corners()
     {
         const auto reference = primitive_.find("indices");
+        const auto expectAtMost = [&](std::size_t most, std::size_t found) { // before they are read
+            if (found > most)
+                primitive_.refuse(fmt::format("expected at most {} triangles and vertices in all", kMostDrawn));
+        };
         if (!reference) {
+            expectAtMost(kMostDrawn, vertexCount_);
             file_.spend(vertexCount_ * sizeof(std::uint32_t), primitive_);
             std::vector<std::uint32_t> all(vertexCount_);
             std::iota(all.begin(), all.end(), 0u);
             return all;
         }
-        std::vector<std::uint32_t> indices = Accessor(file_, *reference).expect(1).integers();
+        const Accessor accessor(file_, *reference);
+        expectAtMost(3 * kMostDrawn, accessor.count());
+        std::vector<std::uint32_t> indices = accessor.expect(1).integers();
         const auto most = std::max_element(indices.begin(), indices.end());
         if (*most >= vertexCount_)
             reference->refuse(

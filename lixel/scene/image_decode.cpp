@@ -24,7 +24,7 @@ namespace {
 // Deflate cannot make more than 1032 bytes of one (RFC 1951: 258 bytes from two bits); the other formats make fewer.
 constexpr std::size_t kMostPixelBytesPerFileByte = 1100;
 
-constexpr std::size_t kMostFileBytes = std::size_t(512) << 20;
+constexpr std::size_t kMostFileBytes = std::size_t(256) << 20;
 constexpr std::size_t kLarge = std::size_t(16) << 20; // whose start is looked at first ...
 constexpr std::size_t kStart = std::size_t(1) << 20;  // ... where the size of every image stands
 
@@ -50,7 +50,7 @@ bool readHeader(std::span<const std::byte> bytes, int& width, int& height, int& 
 
 std::vector<std::byte> readImageBytes(InputBytes& bytes, const std::string& file, const std::string& place)
 {
-    if (bytes.size() > kMostFileBytes) refuse(file, place, "expected an image file of at most 512 MiB");
+    if (bytes.size() > kMostFileBytes) refuse(file, place, "expected an image file of at most 256 MiB");
     int width = 0, height = 0, channels = 0;
     if (bytes.size() > kLarge && !readHeader(bytes.read(0, kStart), width, height, channels)) refuseFormat(file, place);
     return bytes.read(0, bytes.size());
@@ -76,7 +76,12 @@ Image<Rgba8> decodeImage(std::span<const std::byte> bytes, RowOrder rows, const 
         refuse(file, place, fmt::format("expected {}x{} pixels, found only {} bytes", width, height, bytes.size()));
 
     const std::unique_ptr<stbi_uc, FreePixels> pixels(stbi_load_from_memory(data, size, &width, &height, &channels, 4));
-    if (!pixels) refuse(file, place, fmt::format("expected a whole image: {}", printable(stbi_failure_reason())));
+    if (!pixels) {
+        const std::string_view reason = stbi_failure_reason(); // empty for some
+        refuse(file, place,
+               reason.empty() ? "expected a whole image"
+                              : fmt::format("expected a whole image: {}", printable(reason)));
+    }
     Image<Rgba8> image(width, height);
     const std::size_t rowBytes = std::size_t(width) * 4;
     for (int y = 0; y < height; ++y) {

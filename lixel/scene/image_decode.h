@@ -14,7 +14,7 @@ namespace lixel {
 
 inline constexpr int kMostImageSide = 16384;
 
-// The bytes of an image file, of at most 512 MiB; those of a large one only if it starts as an image. Throws InputError.
+// The bytes of an image file, of at most 256 MiB; those of a large one only if it starts as an image. Throws InputError.
 std::vector<std::byte> readImageBytes(InputBytes& bytes, const std::string& file, const std::string& place);
 
 enum class RowOrder { FileFirst, FileLast }; // which row of the file becomes row 0

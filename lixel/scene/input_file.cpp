@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -17,7 +18,7 @@ namespace lixel {
 namespace {
 
 constexpr std::uintmax_t kMostFileBytes = std::uintmax_t(4) << 30;
-constexpr std::size_t kMostJsonBytes = std::size_t(256) << 20;
+constexpr std::size_t kMostJsonBytes = std::size_t(256) << 20, kMostSettingsBytes = std::size_t(32) << 20;
 constexpr std::size_t kBlockBytes = std::size_t(1) << 20; // of text, read at a time
 
 // Length of the UTF-8 sequence that starts at `text`, 0 where there is none (RFC 3629: no overlong forms, no
@@ -72,6 +73,14 @@ std::string printable(std::string_view text)
 bool isUtf8(std::string_view text)
 {
     while (!text.empty()) {
+        // Eight characters of ASCII at a time.
+        std::uint64_t eight = 0;
+        while (text.size() >= sizeof eight) {
+            std::memcpy(&eight, text.data(), sizeof eight);
+            if ((eight & 0x8080808080808080u) != 0) break;
+            text.remove_prefix(sizeof eight);
+        }
+        if (text.empty()) break;
         const std::size_t n = sequenceLength(text);
         if (n == 0) return false;
         text.remove_prefix(n);
@@ -101,19 +110,24 @@ InputBytes::InputBytes(const std::string& path) : path_(path)
     if (!stream_) refuseUnreadable(path);
 }
 
-std::vector<std::byte> InputBytes::read(std::size_t offset, std::size_t count)
+void InputBytes::readTo(std::span<std::byte> bytes, std::size_t offset)
 {
-    LX_ASSERT(offset <= size_ && count <= size_ - offset);
+    LX_ASSERT(offset <= size_ && bytes.size() <= size_ - offset);
     if (path_.empty()) {
-        const auto part = memory_.subspan(offset, count);
-        return {part.begin(), part.end()};
+        std::copy_n(memory_.begin() + std::ptrdiff_t(offset), bytes.size(), bytes.begin());
+        return;
     }
     errno = 0;
-    std::vector<std::byte> bytes(count);
     // The file's bytes are read as what they are; std::byte and char may alias anything.
     if (!stream_.seekg(std::streamoff(offset)) ||
-        !stream_.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(count)))
+        !stream_.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size())))
         refuseUnreadable(path_);
+}
+
+std::vector<std::byte> InputBytes::read(std::size_t offset, std::size_t count)
+{
+    std::vector<std::byte> bytes(count);
+    readTo(bytes, offset);
     return bytes;
 }
 
@@ -121,10 +135,12 @@ std::string InputBytes::readText(std::size_t offset, std::size_t count, const st
                                  std::string_view expected)
 {
     std::string text;
+    text.reserve(count); // memory is taken when it is written to
     while (text.size() < count) {
-        const std::vector<std::byte> block = read(offset + text.size(), std::min(kBlockBytes, count - text.size()));
-        if (std::find(block.begin(), block.end(), std::byte{0}) != block.end()) refuse(file, "", expected);
-        text.append(reinterpret_cast<const char*>(block.data()), block.size());
+        const std::size_t begin = text.size();
+        text.resize(begin + std::min(kBlockBytes, count - begin));
+        readTo(std::as_writable_bytes(std::span(text).subspan(begin)), offset + begin);
+        if (text.find('\0', begin) != text.npos) refuse(file, "", expected);
     }
     return text;
 }
@@ -137,8 +153,13 @@ std::vector<std::byte> readInputFile(const std::string& path)
 
 std::string readJsonFile(const std::string& path)
 {
+    constexpr std::string_view kExpected = "expected JSON text, found a zero byte";
     InputBytes bytes(path);
-    return readJsonText(bytes, 0, bytes.size(), path, "expected JSON text, found a zero byte");
+    if (bytes.size() > kMostSettingsBytes) {
+        bytes.readText(0, kBlockBytes, path, kExpected); // says more, where it is no text at all
+        refuse(path, "", "expected at most 32 MiB of JSON");
+    }
+    return readJsonText(bytes, 0, bytes.size(), path, kExpected);
 }
 
 std::string readJsonText(InputBytes& bytes, std::size_t offset, std::size_t count, const std::string& file,

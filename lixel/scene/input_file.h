@@ -38,13 +38,15 @@ public:
     std::string readText(std::size_t offset, std::size_t count, const std::string& file, std::string_view expected);
 
 private:
+    void readTo(std::span<std::byte> bytes, std::size_t offset);
+
     std::size_t size_ = 0;
     std::span<const std::byte> memory_;
     std::string path_;
     std::ifstream stream_;
 };
 
-// The whole of a file; of JSON, at most 256 MiB.
+// The whole of a file; of JSON that says how to do something, and not what a scene is, at most 32 MiB. Of any, at most 256 MiB.
 std::vector<std::byte> readInputFile(const std::string& path);
 std::string readJsonFile(const std::string& path);
 std::string readJsonText(InputBytes& bytes, std::size_t offset, std::size_t count, const std::string& file,

@@ -14,6 +14,7 @@
 #include <iterator>
 #include <map>
 #include <new>
+#include <set>
 #include <sstream>
 #include <unordered_map>
 
@@ -164,8 +165,12 @@ obj::Materials readMaterials(const obj::CheckedText& checked, const std::string&
     obj::Materials materials;
     scene.materials.emplace_back(); // grey
     materials.uv.emplace_back();
+    std::set<std::string> read; // whatever ways lead to them
     for (const std::string& names : checked.materialFiles)
         for (const std::string& file : fileNames(names, baseDirectory)) {
+            std::error_code error;
+            const auto path = std::filesystem::weakly_canonical(std::filesystem::path(baseDirectory) / file, error);
+            if (!read.insert(error ? file : path.string()).second) continue;
             try {
                 InputBytes bytes = openNeighbour(baseDirectory, file, name, "mtllib");
                 const std::string shown = printable(file);

@@ -9,11 +9,13 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <set>
 
 namespace lixel::obj {
 namespace {
 
 constexpr double kMostCoordinate = 1e30;
+constexpr std::size_t kMostMaterialFiles = 1000;
 constexpr long long kMostIndex = 1'000'000'000;
 
 constexpr std::size_t kPosition = 0, kUv = 1, kNormal = 2, kKinds = 3; // in the order of a face's i/j/k
@@ -41,7 +43,7 @@ std::optional<double> asNumber(std::string_view word)
 class Lines
 {
 public:
-    explicit Lines(std::function<void(std::string_view, int)> each) : each_(std::move(each)) {}
+    explicit Lines(std::function<void(std::string_view, long long)> each) : each_(std::move(each)) {}
 
     void add(std::string_view block)
     {
@@ -56,6 +58,7 @@ public:
             block.remove_prefix(1);
             ++number_;
             if (line_.ends_with('\\')) line_.back() = ' ';
+            else if (line_.empty()) firstNumber_ = number_ + 1;
             else give();
         }
     }
@@ -75,9 +78,9 @@ private:
         line_.clear(), firstNumber_ = number_ + 1;
     }
 
-    std::function<void(std::string_view, int)> each_;
+    std::function<void(std::string_view, long long)> each_;
     std::string line_;
-    int number_ = 0, firstNumber_ = 1;
+    long long number_ = 0, firstNumber_ = 1;
     bool afterReturn_ = false; // a line feed may still belong to it
 };
 
@@ -86,7 +89,8 @@ class Checker
 public:
     explicit Checker(const std::string& file) : file_(file) {}
 
-    void line(std::string_view line, int number)
+    // Whether it says anything of geometry.
+    bool line(std::string_view line, long long number)
     {
         number_ = number;
         const std::string_view keyword = takeWord(line);
@@ -94,8 +98,8 @@ public:
         else if (keyword == "vt") countNumbers(line, kUv, 1);
         else if (keyword == "vn") countNumbers(line, kNormal, 3);
         else if (keyword == "f") face(line);
-        else if (keyword == "mtllib" && line.find_first_not_of(" \t") != line.npos)
-            materialFiles.emplace_back(line.substr(line.find_first_not_of(" \t")));
+        else if (keyword == "mtllib") addMaterialFile(line);
+        return std::find(kKept.begin(), kKept.end(), keyword) != kKept.end();
     }
 
     // Positive indices may point forward, so they are judged when all is known.
@@ -114,13 +118,23 @@ public:
 private:
     struct Most
     {
-        long long index = 0;
-        int line = 0;
+        long long index = 0, line = 0;
     };
+
+    static constexpr std::array<std::string_view, 7> kKept{"v", "vt", "vn", "f", "usemtl", "g", "o"};
 
     [[noreturn]] void refuseLine(std::string_view expected) const
     {
         refuse(file_, fmt::format("line {}", number_), expected);
+    }
+
+    void addMaterialFile(std::string_view line)
+    {
+        const std::size_t start = line.find_first_not_of(" \t");
+        if (start == line.npos || !known_.emplace(line.substr(start)).second) return;
+        if (materialFiles.size() == kMostMaterialFiles)
+            refuseLine(fmt::format("expected at most {} material files", kMostMaterialFiles));
+        materialFiles.emplace_back(line.substr(start));
     }
 
     void countNumbers(std::string_view line, std::size_t kind, int least)
@@ -167,31 +181,52 @@ private:
     }
 
     const std::string& file_;
-    int number_ = 0;
+    long long number_ = 0;
+    std::set<std::string, std::less<>> known_; // material files
     std::array<long long, kKinds> counts_{};
     std::array<Most, kKinds> most_{};
 };
+
+constexpr std::size_t kBlockBytes = std::size_t(1) << 20;
+
+std::string blockAt(InputBytes& bytes, std::size_t at, const std::string& file)
+{
+    return bytes.readText(at, std::min(kBlockBytes, bytes.size() - at), file, "expected OBJ text, found a zero byte");
+}
+
+// Whether an f stands alone anywhere. Where none does, there are no faces, and gigabytes need not be taken apart to tell.
+bool mayHaveFaces(InputBytes& bytes, const std::string& file)
+{
+    const auto isSpace = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\\'; };
+    for (std::size_t at = 0; at < bytes.size(); at += kBlockBytes) {
+        const std::string block = blockAt(bytes, at, file);
+        for (std::size_t f = block.find('f'); f != block.npos; f = block.find('f', f + 1))
+            if ((f == 0 || isSpace(block[f - 1])) && (f + 1 == block.size() || isSpace(block[f + 1]))) return true;
+    }
+    return false;
+}
 
 } // namespace
 
 CheckedText checkObj(InputBytes& bytes, const std::string& file)
 {
-    constexpr std::size_t kBlockBytes = std::size_t(1) << 20;
+    constexpr std::size_t kLarge = std::size_t(16) << 20;
+    if (bytes.size() > kLarge && !mayHaveFaces(bytes, file)) refuse(file, "", "has no triangles");
     CheckedText checked;
+    bool isEmpty = true;
     Checker checker(file);
-    Lines lines([&](std::string_view line, int number) {
-        checker.line(line, number);
-        checked.text.append(line) += '\n';
+    Lines lines([&](std::string_view line, long long number) {
+        isEmpty = false;
+        if (checker.line(line, number)) checked.text.append(line) += '\n';
     });
     for (std::size_t at = 0; at < bytes.size(); at += kBlockBytes) {
-        const std::string block =
-            bytes.readText(at, std::min(kBlockBytes, bytes.size() - at), file, "expected OBJ text, found a zero byte");
+        const std::string block = blockAt(bytes, at, file);
         std::string_view text = block;
         if (at == 0 && text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
         lines.add(text);
     }
     lines.finish();
-    if (checked.text.empty()) refuse(file, "", "is empty");
+    if (isEmpty) refuse(file, "", "is empty");
     checker.finish();
     checked.materialFiles = std::move(checker.materialFiles);
     return checked;

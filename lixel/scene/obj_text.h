@@ -11,8 +11,8 @@ namespace lixel::obj {
 // OBJ text that a parser may read blindly, and the names of its material files.
 struct CheckedText
 {
-    std::string text;                       // continued lines joined, no byte order mark
-    std::vector<std::string> materialFiles; // what stands after each mtllib: a name, or several
+    std::string text;                       // lines of geometry, continued ones joined
+    std::vector<std::string> materialFiles; // what stands after each different mtllib: a name, or several
 };
 
 // tinyobjloader reads "nan" as 0, lets large indices wrap and knows no lines; so each line of v, vt, vn and f is judged

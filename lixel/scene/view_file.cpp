@@ -2,6 +2,7 @@
 #include "lixel/scene/view_file.h"
 
 #include "lixel/scene/input_file.h"
+#include "lixel/scene/json_text.h"
 #include "lixel/scene/view_json.h"
 
 #include <fmt/format.h>

@@ -8,23 +8,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <set>
 
 namespace lixel {
-
-namespace {
-
-using nlohmann::json;
-
-std::string lineAndColumn(std::string_view text, std::size_t byte)
-{
-    const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
-    const std::size_t lineStart = before.rfind('\n') + 1; // npos + 1 is 0
-    return fmt::format("line {}, column {}", 1 + std::count(before.begin(), before.end(), '\n'),
-                       before.size() - lineStart + 1);
-}
-
-} // namespace
 
 void JsonPlace::refuse(std::string_view expected) const
 {
@@ -105,26 +90,6 @@ std::string JsonPlace::name() const
         std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
     if (!isName) refuse("expected a name of letters, digits, - and _");
     return text;
-}
-
-nlohmann::json parseJson(std::string_view text, const std::string& file)
-{
-    // The parser keeps the last of two members with one name; here that is a mistake.
-    std::vector<std::set<std::string>> open;
-    const auto noMemberTwice = [&](int, json::parse_event_t event, json& parsed) {
-        if (event == json::parse_event_t::object_start) open.emplace_back();
-        if (event == json::parse_event_t::object_end) open.pop_back();
-        if (event == json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second)
-            refuse(file, "", fmt::format("member \"{}\" is given twice", printable(parsed.get<std::string>())));
-        return true;
-    };
-    try {
-        return json::parse(text, noMemberTwice);
-    } catch (const json::parse_error& error) {
-        refuse(file, lineAndColumn(text, error.byte), "expected JSON");
-    } catch (const json::out_of_range&) {
-        refuse(file, "", "expected numbers that a double can hold");
-    }
 }
 
 } // namespace lixel

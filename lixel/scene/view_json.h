@@ -55,7 +55,4 @@ private:
 // What a view file has under "light" or "lights"; none where it has neither.
 std::vector<Light> readLights(const JsonPlace& file);
 
-// Throws InputError with line and column where `text` is no JSON, is not UTF-8, or gives a member twice.
-nlohmann::json parseJson(std::string_view text, const std::string& file);
-
 } // namespace lixel

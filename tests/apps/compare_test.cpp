@@ -285,14 +285,49 @@ int picturesBelow(const fs::path& folder)
 
 TEST_F(Compare, AnInterruptionLeavesNothing)
 {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+        CommandOptions options;
+        options.folder = folder_.path();
+        options.signal = signal;
+        options.interruptWhen = [&] { return picturesBelow(out()) > 1; };
+        const CommandResult run =
+            runLixel({"compare", "table", "--size", "512x512", "--executor", "trace", "-o", "out"}, options);
+        EXPECT_EQ(run.exitCode, 130) << signal;
+        EXPECT_EQ(run.err, "lixel: interrupted\n") << signal;
+        EXPECT_FALSE(fs::exists(out())) << signal;
+    }
+}
+
+TEST_F(Compare, AReaderThatGoesAwayIsOneLineAndLeavesNothing)
+{
     CommandOptions options;
     options.folder = folder_.path();
-    options.interruptWhen = [&] { return picturesBelow(out()) > 1; };
+    options.hasNoReader = true;
     const CommandResult run =
-        runLixel({"compare", "table", "--size", "512x512", "--executor", "trace", "-o", "out"}, options);
-    EXPECT_EQ(run.exitCode, 130);
-    EXPECT_EQ(run.err, "lixel: interrupted\n");
+        runLixel({"compare", "table", "--view", "overview", "--size", "64x64", "--lixels", "64x64", "--executor",
+                  "trace", "--timing-frames", "0", "-o", "out", "--json", "-"},
+                 options);
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_EQ(run.err, "lixel: standard output: cannot be written: Broken pipe\n");
     EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Compare, APictureThatCannotTakeItsPlaceLeavesTheResultsOfAnOlderRunAsTheyWere)
+{
+    compareTable({"--view", "overview"});
+    fs::path picture;
+    for (const auto& entry : fs::directory_iterator(out() / "pictures")) picture = entry.path();
+    fs::remove(picture);
+    fs::create_directory(picture);
+    const auto before = filesBelow(out());
+    CommandOptions options;
+    options.folder = folder_.path();
+    const CommandResult run = runLixel({"compare", "table", "--view", "overview", "--size", "96x96", "--lixels",
+                                        "96x96", "--executor", "trace", "--timing-frames", "0", "-o", "out"},
+                                       options);
+    EXPECT_EQ(run.exitCode, 1) << run.err;
+    EXPECT_NE(run.err.find("Is a directory"), std::string::npos) << run.err;
+    EXPECT_EQ(filesBelow(out()), before);
 }
 
 TEST_F(Compare, AnInterruptionLeavesTheResultsOfAnOlderRunAsTheyWere)

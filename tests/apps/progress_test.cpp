@@ -53,6 +53,23 @@ TEST(Progress, OneLongStepIsToldEverySecond)
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+// Where there is little room, what is said in numbers stays.
+TEST(Progress, ANarrowTerminalHasTheNumbers)
+{
+    const TemporaryFolder folder;
+    CommandOptions options;
+    options.folder = folder.path();
+    options.terminalColumns = 20;
+    options.interruptWhenShown = [](std::string_view shown) { return !linesDrawn(shown).empty(); };
+    const CommandResult run = runLixel(
+        {"render", "table", "--executor", "trace", "--size", "800x800", "--technique", "exact-area:256", "-o", "a.png"},
+        options);
+    ASSERT_FALSE(linesDrawn(run.err).empty());
+    const std::string line = linesDrawn(run.err).front();
+    EXPECT_TRUE(std::regex_search(line, std::regex(R"(^render \d/4 0:0\d)"))) << line;
+    EXPECT_LT(line.substr(0, line.find('\r')).size(), 20u);
+}
+
 TEST(Progress, ShortWorkShowsNothing)
 {
     const TemporaryFolder folder;

@@ -227,7 +227,7 @@ TEST_F(RefusedInput, GigabytesOfNothingAreNotReadFirst)
         expectMention(refusal({"render", name, "-o", "a.png"}, kBadInput), name);
     }
     write("image.png", "\x89PNG\r\n\x1a\n");
-    fs::resize_file(folder_.path() / "image.png", 500u << 20);
+    fs::resize_file(folder_.path() / "image.png", 250u << 20);
     write("image.gltf", R"({"asset": {"version": "2.0"}, "images": [{"uri": "image.png"}], "textures": [{"source": 0}],
         "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}]})");
     expectMention(refusal({"render", "image.gltf", "-o", "a.png"}, kBadInput), "PNG");
@@ -235,6 +235,32 @@ TEST_F(RefusedInput, GigabytesOfNothingAreNotReadFirst)
     fs::resize_file(folder_.path() / "start.json", size);
     expectMention(renderRefusal({"--view", "start.json"}, kBadInput), "zero byte");
     expectMention(renderRefusal({"--technique", "plan(start.json)"}, kBadInput), "zero byte");
+
+    // What is right as far as it is looked at, and too much of it.
+    const std::string accessor =
+        R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 3221225472, "uri": "short.glb"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 3221225472}], "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 268435455, "type": "VEC3"}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}]})";
+    write("accessor.gltf", accessor);
+    fs::resize_file(folder_.path() / "short.glb", size);
+    expectMention(refusal({"render", "accessor.gltf", "-o", "a.png"}, kBadInput), "67108864 triangles");
+    const auto repeated = [&](const char* name, const std::string& begin, std::string_view text, std::size_t bytes) {
+        std::string block;
+        while (block.size() < (1u << 20)) block += text;
+        std::ofstream file(folder_.path() / name, std::ios::binary);
+        file << begin;
+        for (std::size_t written = 0; written < bytes; written += block.size()) file << block;
+    };
+    repeated("nothing.obj", "", "\n", 200u << 20);
+    repeated("vertices.obj", "", "v 0 0 0\n", 200u << 20);
+    repeated("words.obj", "", "a b c\n", 200u << 20);
+    for (const char* name : {"nothing.obj", "vertices.obj", "words.obj"})
+        expectMention(refusal({"render", name, "-o", "a.png"}, kBadInput), "no triangles");
+    repeated("values.gltf", R"({"asset": {"version": "2.0"}, "x": [)", "[[1]],", 40u << 20);
+    expectMention(refusal({"render", "values.gltf", "-o", "a.png"}, kBadInput), "4000000 values");
+    repeated("large.json", "{", " ", 40u << 20);
+    expectMention(renderRefusal({"--view", "large.json"}, kBadInput), "32 MiB");
 
     write("huge.glb", "glTF");
     fs::resize_file(folder_.path() / "huge.glb", std::uintmax_t(20) << 30);
@@ -288,7 +314,10 @@ TEST_F(RefusedInput, OutputsMustBeWritable)
     expectMention(render({"-o", "a.png", "--exr", "nowhere/a.exr"}, kFailed), "nowhere/a.exr");
     expectMention(render({"-o", "a.jpg"}, kBadUsage), ".png");
     expectMention(render({"--exr", "a.png"}, kBadUsage), ".exr");
-    expectMention(render({"-o", "same", "--exr", "same"}, kBadUsage), "two files");
+    expectMention(render({"-o", "same", "--exr", "same"}, kBadUsage), "-o and --exr: expected two files");
+    expectMention(render({"-o", "a.png", "--plan", "../" + folder_.path().filename().string() + "/./a.png"}, kBadUsage),
+                  "-o and --plan: expected two files");
+    expectMention(render({"-o", "-", "--plan", "-"}, kBadUsage), "-o and --plan: expected two files");
     expectMention(render({"-o", "a.png", "--exact"}, kBadUsage), "--exr");
     expectMention(render({"--exr", "a.exr", "--density", "--technique", "exact"}, kBadUsage), "no map");
 

@@ -8,6 +8,7 @@
 #include "lixel/report/exr.h"
 #include "lixel/report/png.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -245,6 +246,16 @@ TEST_F(Render, OddNamesAndOnePixelAreFine)
             .exitCode,
         0);
     EXPECT_EQ(readPng(folder_.path() / "one").height(), 1);
+}
+
+TEST_F(Render, AMaterialFileIsReadOnceHoweverOftenItIsNamed)
+{
+    std::string text;
+    for (int i = 0; i < 1000; ++i) text += i % 2 == 0 ? "mtllib none.mtl\n" : "mtllib ./none.mtl\n";
+    write("named.obj", text + "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 3 2 1\n");
+    const std::string notes = render("./named.obj", {"-o", "picture.png"}).err;
+    EXPECT_EQ(std::count(notes.begin(), notes.end(), '\n'), 1) << notes;
+    EXPECT_NE(notes.find("none.mtl: no such file"), std::string::npos) << notes;
 }
 
 } // namespace

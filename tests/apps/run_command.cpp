@@ -17,12 +17,27 @@
 namespace lixel::test {
 namespace {
 
+// The writing end of a pipe without a reader.
+std::FILE* pipeToNobody()
+{
+    int ends[2];
+    if (pipe(ends) != 0) return nullptr;
+    close(ends[0]);
+    return fdopen(ends[1], "w");
+}
+
+std::FILE* fileFor(const std::filesystem::path& path, bool hasNoReader)
+{
+    if (hasNoReader) return pipeToNobody();
+    return path.empty() ? std::tmpfile() : std::fopen(path.c_str(), "w+");
+}
+
 // Takes what the process prints: into an unnamed file, or to a path.
 class Capture
 {
 public:
-    explicit Capture(const std::filesystem::path& path)
-        : file_(path.empty() ? std::tmpfile() : std::fopen(path.c_str(), "w+"))
+    explicit Capture(const std::filesystem::path& path = {}, bool hasNoReader = false)
+        : file_(fileFor(path, hasNoReader))
     {
         if (!file_) throw std::runtime_error("no file for what is printed");
     }
@@ -83,6 +98,7 @@ private:
 {
     if (*folder && chdir(folder) != 0) _exit(126);
     if (dup2(out, STDOUT_FILENO) < 0 || dup2(err, STDERR_FILENO) < 0) _exit(126);
+    for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
     execve(LIXEL_CLI, arguments, environment);
     _exit(127);
 }
@@ -135,7 +151,7 @@ void await(pid_t process, const CommandOptions& options, std::optional<Terminal>
 
 CommandResult runLixel(const std::vector<std::string>& arguments, const CommandOptions& options)
 {
-    const Capture out(options.printTo), err({});
+    const Capture out(options.printTo, options.hasNoReader), err;
     std::optional<Terminal> terminal;
     if (options.terminalColumns > 0) terminal.emplace(options.terminalColumns);
     const int errDescriptor = terminal ? terminal->descriptor() : err.descriptor();
@@ -151,7 +167,7 @@ CommandResult runLixel(const std::vector<std::string>& arguments, const CommandO
         become(wordPointers.data(), environmentPointers.data(), folder.c_str(), out.descriptor(), errDescriptor);
     CommandResult result;
     await(process, options, terminal, result);
-    if (options.printTo.empty()) result.out = out.text();
+    if (options.printTo.empty() && !options.hasNoReader) result.out = out.text();
     result.err = terminal ? terminal->text() : err.text();
     return result;
 }

@@ -17,6 +17,7 @@ struct CommandOptions
     std::filesystem::path folder;                             // to run in; empty: this process's
     std::map<std::string, std::string> environment;           // besides this process's
     std::filesystem::path printTo;                            // standard output goes there; empty: into the result
+    bool hasNoReader = false;                                 // standard output is a pipe whose reader is gone
     std::function<bool()> interruptWhen;                      // asked again and again; then it gets one signal
     int signal = SIGINT;                                      // as by Ctrl-C
     int terminalColumns = 0;                                  // standard error is a terminal so wide; 0: a file

@@ -3,12 +3,9 @@
 
 #include "sample_results.h"
 
-#include <csignal>
 #include <functional>
 #include <gtest/gtest.h>
 #include <memory>
-#include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -82,6 +79,25 @@ TEST(AtomicFile, FollowsALinkAndKeepsIt)
     writeFileAtomically(folder.path() / "link.txt", "new");
     EXPECT_TRUE(fs::is_symlink(folder.path() / "link.txt"));
     EXPECT_EQ(readWhole(folder.path() / "real.txt"), "new");
+
+    // Over another link to what is not there yet; a circle leads nowhere.
+    fs::create_symlink("later.txt", folder.path() / "second.txt");
+    fs::create_symlink("second.txt", folder.path() / "first.txt");
+    writeFileAtomically(folder.path() / "first.txt", "new");
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "first.txt"));
+    EXPECT_EQ(readWhole(folder.path() / "later.txt"), "new");
+    fs::create_symlink("circle", folder.path() / "circle");
+    const std::string message = messageOf([&] { writeFileAtomically(folder.path() / "circle", "x"); });
+    EXPECT_NE(message.find("Too many levels of symbolic links"), std::string::npos) << message;
+}
+
+TEST(AtomicFile, ALinkThatLeadsNowhereIsNamedWithItsEnd)
+{
+    const TemporaryFolder folder;
+    const fs::path link = folder.path() / "link", end = folder.path() / "missing" / "a.txt";
+    fs::create_symlink("missing/a.txt", link);
+    EXPECT_EQ(messageOf([&] { writeFileAtomically(link, "x"); }),
+              link.string() + ": cannot be written: the link leads to " + end.string() + ": No such file or directory");
 }
 
 TEST(AtomicFile, WritesIntoDevicesInPlace)
@@ -144,88 +160,6 @@ TEST(MakeFolder, MakesAllOfThePathAndSaysWhyItCannot)
               (folder.path() / "file" / "b").string() + ": cannot be written: Not a directory");
     EXPECT_EQ(messageOf([&] { makeFolder(folder.path() / "file"); }),
               (folder.path() / "file").string() + ": cannot be written: Not a directory");
-}
-
-// As the command line does it: a handler that tidies up and ends.
-TEST(RemovePendingFiles, AnInterruptedProcessLeavesNothing)
-{
-    const TemporaryFolder folder;
-    const pid_t child = fork();
-    if (child == 0) {
-        std::signal(SIGINT, [](int) {
-            removePendingFiles();
-            _exit(130);
-        });
-        AtomicFile one(folder.path() / "one.txt"), other(folder.path() / "other.txt");
-        StagedFolder staged(folder.path());
-        staged.makeFolder("pictures");
-        writeFileAtomically(staged.path() / "pictures" / "whole", "whole");
-        one.write("half");
-        other.write("half");
-        std::raise(SIGINT);
-        _exit(1);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(WEXITSTATUS(status), 130);
-    EXPECT_EQ(folder.fileCount(), 0u);
-}
-
-TEST(StagedFolder, KeepsWhatIsThereUntilAllTakeTheirPlaces)
-{
-    const TemporaryFolder folder;
-    const fs::path pictures = folder.path() / "pictures";
-    makeFolder(pictures);
-    writeFileAtomically(folder.path() / "results", "old");
-    writeFileAtomically(pictures / "one", "old");
-    writeFileAtomically(pictures / "other", "somebody's");
-    {
-        StagedFolder staged(folder.path());
-        staged.makeFolder("pictures");
-        writeFileAtomically(staged.path() / "results", "new");
-        writeFileAtomically(staged.path() / "pictures" / "one", "new");
-        EXPECT_EQ(readWhole(folder.path() / "results"), "old");
-        EXPECT_EQ(readWhole(pictures / "one"), "old");
-        staged.commit();
-    }
-    EXPECT_EQ(readWhole(folder.path() / "results"), "new");
-    EXPECT_EQ(readWhole(pictures / "one"), "new");
-    EXPECT_EQ(readWhole(pictures / "other"), "somebody's");
-    EXPECT_EQ(folder.fileCount(), 2u);
-}
-
-TEST(StagedFolder, LeavesNothingWithoutCommit)
-{
-    const TemporaryFolder folder;
-    {
-        StagedFolder staged(folder.path());
-        staged.makeFolder("pictures");
-        writeFileAtomically(staged.path() / "pictures" / "one", "new");
-    }
-    EXPECT_EQ(folder.fileCount(), 0u);
-}
-
-TEST(StagedFolder, FollowsLinksAndWritesIntoDevicesInPlace)
-{
-    const TemporaryFolder folder;
-    writeFileAtomically(folder.path() / "real", "old");
-    fs::create_symlink("real", folder.path() / "link");
-    fs::create_symlink("/dev/null", folder.path() / "nothing");
-    StagedFolder staged(folder.path());
-    for (const char* name : {"link", "nothing"}) writeFileAtomically(staged.path() / name, "new");
-    staged.commit();
-    EXPECT_EQ(readWhole(folder.path() / "real"), "new");
-    EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
-    EXPECT_TRUE(fs::is_character_file(folder.path() / "nothing"));
-}
-
-TEST(RemovePendingFiles, LeavesWhatIsWhole)
-{
-    const TemporaryFolder folder;
-    writeFileAtomically(folder.path() / "a.txt", "whole");
-    removePendingFiles();
-    EXPECT_EQ(readWhole(folder.path() / "a.txt"), "whole");
 }
 
 } // namespace

@@ -130,7 +130,7 @@ TEST(ViewFile, EveryMistakeIsNamedWithItsPlace)
         {"[]", "view.json: /: expected an object with members from: camera, light"},
         {R"({"camra": {}})", "view.json: /: member \"camra\" is unknown; expected: camera"},
         {R"({"time": 1, "time": 2})", "member \"time\" is given twice"},
-        {R"({"time": 1e999})", "view.json: expected numbers that a double can hold"},
+        {R"({"time": 1e999})", "view.json: expected numbers that fit a double"},
         {R"({"time": "noon"})", "view.json: /time: expected a number"},
         {R"({"time": true})", "view.json: /time: expected a number"},
         {R"({"time": -1})", "view.json: /time: expected a time of at least 0"},

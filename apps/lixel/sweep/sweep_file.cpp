@@ -5,6 +5,7 @@
 #include "lixel/scene/builtin.h"
 #include "lixel/scene/hemisphere_lights.h"
 #include "lixel/scene/input_file.h"
+#include "lixel/scene/json_text.h"
 #include "lixel/scene/view_json.h"
 #include "run_results.h"
 
