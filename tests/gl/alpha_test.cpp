@@ -68,7 +68,7 @@ private:
 
 TEST_F(AlphaTest, TheShadersAlphaIsThatOfRays)
 {
-    forEachCase(60, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         const lixel::Texture texture = anyTexture(rng, rng.integer(1, 70));
         std::vector<Vec2f> uv;
         for (int i = 0; i < 300; ++i) {

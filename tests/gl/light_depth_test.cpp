@@ -232,7 +232,7 @@ TEST_F(LightDepthTest, AHostsHolesAreHoles)
 
 TEST_F(LightDepthTest, ACasterOutsideOfTheVolumeGivenToTheHostDarkensNothing)
 {
-    forEachCase(kCases / 10, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         const SmallScene scene = anyObjectsOnAFloor(rng, 1);
         const View view = anyViewOf(rng, {}, 1, 64, 64);
         const Light light = anyLightOn(rng, {}, 1);
@@ -274,7 +274,7 @@ struct CullingComparison
 TEST_F(LightDepthTest, CastersCulledPerRegionLeaveEveryLixelAsItWas)
 {
     CullingComparison comparison(device());
-    forEachCase(60, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         const double half = rng.logUniform(1e-3, 1e4);
         SmallScene scene = rng.chance(0.5) ? anyObjectsOnAFloor(rng, half) : anyTriangleSoup(rng, 600, half);
         scene.originWorld = rng.chance(0.3) ? 1e5 * rng.onSphere() : Vec3d{};

@@ -13,7 +13,7 @@ namespace {
 
 TEST(MeshEdges, OfAClosedBodyRunAsOftenOneWayAsTheOther)
 {
-    forEachCase(50, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         SmallScene scene;
         for (int i = rng.integer(1, 5); i > 0; --i) {
             const Vec3d a = rng.inBox(3);

@@ -87,7 +87,7 @@ TEST_F(SdsmTest, TablesMadeOnTheDeviceAreThoseOfTheTwin)
     gl::PlanTables tables;
     gl::PointList points(device());
     int compared = 0;
-    forEachCase(60, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         const Cascades c(rng);
         const ViewSamples samples = executor.viewSamples(c.scene.casters(), c.view);
         SdsmLayout layout = c.layout();

@@ -36,7 +36,7 @@ shared::vec3 displayed(const ViewSamples& samples, std::size_t i, const SurfaceC
 TEST_F(ShadingTest, ThePictureIsWhatTheSharedTextSays)
 {
     GlExecutor executor;
-    forEachCase(20, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         SmallScene scene = anyObjectsOnAFloor(rng, 1);
         scene.materials.resize(3);
         for (Material& m : scene.materials) {

@@ -191,7 +191,7 @@ void expectAloneIsLit(GlExecutor& executor, Rng& rng)
 TEST_F(ShadowVolumes, APlaneOrSphereAloneIsLitAtAnySlopeAndScale)
 {
     GlExecutor executor;
-    forEachCase(40, [&](Rng& rng) { expectAloneIsLit(executor, rng); });
+    forEachCase(kCases, [&](Rng& rng) { expectAloneIsLit(executor, rng); });
 }
 
 // By what the rasterizer rounds: across a plane's border its volume's side came before the sample, and a sample of a sphere is on

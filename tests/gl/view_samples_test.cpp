@@ -111,7 +111,7 @@ TEST_F(ViewSamplesTest, RasterizerAndRaysSeeTheSameSurfaces)
 TEST_F(ViewSamplesTest, SamplesSurviveTheWayToTheDeviceAndBack)
 {
     PointList points(device());
-    forEachCase(20, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         ViewSamples samples;
         samples.width = rng.integer(1, 300), samples.height = rng.integer(1, 300);
         samples.originWorld = rng.inBox(1e5);

@@ -34,7 +34,7 @@ TEST(Shades, ARampIsAsWideAcrossTheBoundaryInAnyDirection)
     const std::vector<Zone> zones(samples.size(), Zone::Interior);
     double sum = 0;
     int count = 0;
-    test::forEachCase(60, [&](test::Rng& rng) {
+    test::forEachCase(test::kCases, [&](test::Rng& rng) {
         const double angle = rng.uniform(0, 6.2831853), width = 8;
         const double x = std::cos(angle), y = std::sin(angle);
         std::vector<float> visibility, exact;

@@ -179,7 +179,7 @@ TEST(Lispsm, FadesToFocusedWithoutALargerJumpAsLightAndLineOfSightAlign)
 {
     constexpr double kStep = 0.99, kSmooth = 1.15, kLast = 1.46;
     int faded = 0;
-    forEachCase(test::kCases / 40, [&](Rng& rng) {
+    forEachCase(test::kCases, [&](Rng& rng) {
         Start start;
         start.setup = ordinarySetup(rng);
         start.setup.light = {};
@@ -213,7 +213,7 @@ TEST(Lispsm, FadesToFocusedWithoutALargerJumpAsLightAndLineOfSightAlign)
         }
         EXPECT_EQ(strength(*before, points), 1);
     });
-    EXPECT_GT(faded, test::scaled(test::kCases / 40) / 2);
+    EXPECT_GT(faded, test::scaled(test::kCases) / 2);
 }
 
 // The centre's distance is told by the map: w goes from 1 to 1 + length / n over the body.

@@ -156,7 +156,7 @@ void expectSamePlane(const FoundPlane* found, const Plane& plane, const Scenery&
 
 TEST(FindPlanes, FloorAndWallAmongClutterAreFoundExactly)
 {
-    forEachCase(kCases / 10, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         Scenery scenery(rng);
         const Room room = addRoom(scenery, rng);
         addClutter(scenery, rng);
@@ -170,7 +170,7 @@ TEST(FindPlanes, FloorAndWallAmongClutterAreFoundExactly)
 
 TEST(FindPlanes, NormalsMayBeNoisyAndPositionsALittleRough)
 {
-    forEachCase(kCases / 10, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         Scenery scenery(rng);
         scenery.normalNoise = rng.uniform(0, 0.02);
         scenery.roughness = rng.uniform(0, 0.5) * kFlatWithinPixels;
@@ -191,7 +191,7 @@ TEST(FindPlanes, NormalsMayBeNoisyAndPositionsALittleRough)
 
 TEST(FindPlanes, SharesArePartsOfAllWeightHeaviestFirst)
 {
-    forEachCase(kCases / 20, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         Scenery scenery(rng);
         const Room room = addRoom(scenery, rng);
         scenery.look(3000);
@@ -268,7 +268,7 @@ TEST(FindPlanes, CurvedAndRoughThingsShowNone)
 
 TEST(FindPlanes, ParallelPlanesAtDifferentHeightsAreTwo)
 {
-    forEachCase(kCases / 10, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         Scenery scenery(rng);
         scenery.normalNoise = rng.chance(0.5) ? 0.02 : 0;
         const double height = rng.uniform(1, 2), step = rng.uniform(0.05, 0.3) * height, kerb = rng.uniform(-0.5, 0.5);
@@ -292,7 +292,7 @@ TEST(FindPlanes, ParallelPlanesAtDifferentHeightsAreTwo)
 
 TEST(FindPlanes, ThePolygonHoldsAllSamplesOfThePlaneAndLiesOnIt)
 {
-    forEachCase(kCases / 10, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         Scenery scenery(rng);
         addRoom(scenery, rng);
         addClutter(scenery, rng);
@@ -320,7 +320,7 @@ TEST(FindPlanes, ThePolygonHoldsAllSamplesOfThePlaneAndLiesOnIt)
 
 TEST(FindPlanes, TheOrderOfSamplesIsNothing)
 {
-    forEachCase(kCases / 20, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         Scenery scenery(rng);
         addRoom(scenery, rng);
         addClutter(scenery, rng);
@@ -342,7 +342,7 @@ TEST(FindPlanes, TheOrderOfSamplesIsNothing)
 
 TEST(FindPlanes, EarlierPlanesKeepTheirNumbersUnderAnotherView)
 {
-    forEachCase(kCases / 20, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         Scenery scenery(rng);
         addRoom(scenery, rng);
         addClutter(scenery, rng);
@@ -364,7 +364,7 @@ TEST(FindPlanes, EarlierPlanesKeepTheirNumbersUnderAnotherView)
 
 TEST(FindPlanes, AnEarlierPlaneThatMovedOrWentAwayIsNotKept)
 {
-    forEachCase(kCases / 20, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         Scenery scenery(rng);
         const Room room = addRoom(scenery, rng);
         scenery.look(3000);

@@ -115,7 +115,7 @@ std::optional<FoundMap> algorithm1(SearchCase& c, LixelMetric metric, double asp
 TEST(MapSearch, DescentIsAlgorithm1)
 {
     int tried = 0, atKinks = 0;
-    forEachCase(60, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         SearchCase c;
         if (!c.make(rng, 48, 36)) return;
         const double aspect = rng.chance(0.5) ? 1 : rng.logUniform(0.3, 3);
@@ -137,7 +137,7 @@ TEST(MapSearch, DescentIsAlgorithm1)
 // Best so far: more iterations are never worse, none are the start, and no angle makes it worse.
 TEST(MapSearch, DescentNeverClimbs)
 {
-    forEachCase(60, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         SearchCase c;
         if (!c.make(rng, 48, 36)) return;
         for (const LixelMetric metric : kAllMetrics) {
@@ -155,7 +155,7 @@ TEST(MapSearch, DescentNeverClimbs)
 
 TEST(MapSearch, MapsHoldTheHull)
 {
-    forEachCase(60, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         SearchCase c;
         if (!c.make(rng, 48, 36)) return;
         const double aspect = rng.chance(0.5) ? 1 : rng.logUniform(0.3, 3);

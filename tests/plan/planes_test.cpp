@@ -14,6 +14,7 @@ namespace lixel {
 namespace {
 
 using test::forEachCase;
+using test::kCases;
 using test::RandomSetup;
 using test::Rng;
 
@@ -253,7 +254,7 @@ double predictedErrorOf(const RoomView& room, const FramePlan& plan)
 TEST(PlanesAuto, AreTheSameAgainAndTakenWhereThePredictedErrorFalls)
 {
     int withPlanes = 0, kept = 0;
-    forEachCase(200, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         const RoomView room(rng);
         PlanInput input = inputFor(room.setup, "planes(auto)", {512, 512});
         input.seen = &room.samples;

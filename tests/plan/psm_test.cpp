@@ -116,7 +116,7 @@ TEST(Psm, WhereverTheLightComesFromWhatIsSeenIsInsideAndDepthGrowsAlongItsRays)
     for (const int from : {1, 0, -1}) {
         SCOPED_TRACE(from);
         int tried = 0, ofPerspective = 0;
-        forEachCase(test::kCases / 2, [&](Rng& rng) {
+        forEachCase(test::kCases, [&](Rng& rng) {
             RandomSetup setup = ordinarySetup(rng);
             bringLight(setup, from, rng);
             const FitResult fit = fitPsm(inputOf(setup), rng.chance(0.5) ? PsmShift::Casters : PsmShift::None);
@@ -148,7 +148,7 @@ TEST(Psm, WhereverTheLightComesFromWhatIsSeenIsInsideAndDepthGrowsAlongItsRays)
                 }
             }
         });
-        EXPECT_GT(tried, test::scaled(test::kCases / 2) / 10);
+        EXPECT_GT(tried, test::scaled(test::kCases) / 10);
         EXPECT_GT(ofPerspective, tried / 2); // not by giving the perspective up
     }
 }

@@ -67,7 +67,7 @@ TEST(SceneOptimal, RowsOfAMatrixAreItsMapOfTheLightPlane)
 TEST(SceneOptimal, IsNeverWorseByItsMetricThanTheCheapFits)
 {
     int tried = 0;
-    forEachCase(60, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         SearchCase c;
         if (!c.make(rng, 48, 36)) return;
         FitInput input = c.input();
@@ -90,7 +90,7 @@ TEST(SceneOptimal, IsNeverWorseByItsMetricThanTheCheapFits)
 
 TEST(SceneOptimal, HoldsEveryViewSample)
 {
-    forEachCase(100, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         SearchCase c;
         if (!c.make(rng, 48, 36)) return;
         FitInput input = c.input();
@@ -108,7 +108,7 @@ TEST(SceneOptimal, HoldsEveryViewSample)
 
 TEST(SceneOptimal, NeedsNoEdgesForARectangleOfLeastArea)
 {
-    forEachCase(100, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         SearchCase c;
         if (!c.make(rng, 48, 36)) return;
         FitInput input = c.input();
@@ -128,7 +128,7 @@ TEST(SceneOptimal, NeedsNoEdgesForARectangleOfLeastArea)
 // Lights far away: rays from a point become parallel, and so does what is best for them.
 TEST(SceneOptimal, IsTheSameForParallelLightAsForALightFarAway)
 {
-    forEachCase(40, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         SearchCase sun;
         if (!sun.make(rng, 36, 27) || sun.setup.light.kind != LightKind::Directional) return;
         SearchCase lamp;

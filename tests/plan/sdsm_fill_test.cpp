@@ -92,7 +92,7 @@ bool isAnyAtBorder(const SdsmFill& fill, const FramePlan& plan, const ViewSample
 TEST(SdsmFill, TablesMadeFromSamplesAreThoseOfThePlan)
 {
     int compared = 0;
-    forEachCase(kCases / 10, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         const Setting s = anySetting(rng);
         const FramePlan plan = planShadows(s.input());
         std::optional<SdsmLayout> layout = layoutSdsm(s.input());
@@ -126,7 +126,7 @@ TEST(SdsmFill, TablesMadeFromSamplesAreThoseOfThePlan)
 
 TEST(SdsmFill, EverySampleThatFacesTheLightIsServed)
 {
-    forEachCase(kCases / 10, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const Setting s = anySetting(rng);
         SdsmLayout layout = layoutSdsm(s.input()).value();
         fillSdsm(layout.fills[0], s.samples, layout.plan);

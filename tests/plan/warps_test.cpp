@@ -84,7 +84,7 @@ void expectMonotone(const std::vector<float>& knots, int lines, int cells)
 
 TEST(Warps, FunctionsGrowStrictlyWhateverTheSamplesAre)
 {
-    forEachCase(test::kCases / 20, [](Rng& rng) {
+    forEachCase(test::kCases, [](Rng& rng) {
         std::vector<PlacedSample> samples = anySamples(rng);
         if (rng.chance(0.2)) samples.resize(std::min<std::size_t>(samples.size(), 1)); // one, or none
         if (rng.chance(0.2)) samples.assign(5000, {0.31f, 0.77f, kUnit});              // all in one lixel
@@ -115,7 +115,7 @@ TEST(Warps, WithoutSamplesAndWithAnEvenMapTheyAreTheIdentity)
 // Equations 2 to 5: x + o(x) = g(x) / N at the borders of lixels.
 TEST(Warps, ARowsFunctionIsItsPrefixSumOverItsNumberOfSamples)
 {
-    forEachCase(test::kCases / 20, [](Rng& rng) {
+    forEachCase(test::kCases, [](Rng& rng) {
         const std::vector<PlacedSample> samples = anySamples(rng);
         const int cells = rng.integer(8, 64);
         const TextureWarp warp = madeNow(samples, paperNow(0), cells, cells);
@@ -152,7 +152,7 @@ TEST(Warps, SmoothingOverAllLinesMakesOneFunctionOfAll)
 
 TEST(Warps, MapsOfSamplesComeBackToAMillionthThroughTheInverse)
 {
-    forEachCase(test::kCases / 20, [](Rng& rng) {
+    forEachCase(test::kCases, [](Rng& rng) {
         const std::vector<PlacedSample> samples = anySamples(rng);
         const int columns = rng.integer(8, 256), rows = rng.integer(8, 256);
         NowWarp now;
@@ -227,7 +227,7 @@ TEST(Warps, EqualCountsSpreadSamplesMoreEvenlyThanTwoFunctionsCan)
 
 TEST(Warps, ALesserPowerGivesDenseLixelsLess)
 {
-    forEachCase(test::kCases / 100, [](Rng& rng) {
+    forEachCase(test::kCases, [](Rng& rng) {
         const std::vector<PlacedSample> samples = anySamples(rng);
         if (samples.size() < 1000) return;
         const auto variation = [&](double power) {

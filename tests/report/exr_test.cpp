@@ -32,7 +32,7 @@ TEST(Exr, EveryBitReadsBackTheSame)
 {
     const TemporaryFolder folder;
     const auto path = folder.path() / "picture.exr";
-    forEachCase(100, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         const int width = rng.integer(1, 40), height = rng.integer(1, 40);
         std::map<std::string, std::vector<float>> expected;
         for (const char* name : {"position.X", "position.Y", "position.Z", "depth.Z", "visibility.sun.V"})

@@ -76,7 +76,7 @@ TEST(ResultsJson, OrderOfRowsIsNothing)
 {
     RunResults run = sampleRun();
     const std::string expected = toJson(run);
-    forEachCase(100, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         std::shuffle(run.rows.begin(), run.rows.end(), std::mt19937_64(rng.bits()));
         ASSERT_EQ(toJson(run), expected);
     });

@@ -20,7 +20,7 @@ using test::Rng;
 // standard deviation 16; six of them do not happen.
 TEST(HemisphereLights, AreUniformOnTheUpperHemisphere)
 {
-    forEachCase(20, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         constexpr int kSectors = 16, kHeights = 8, kCount = 20'000;
         std::array<int, kSectors * kHeights> cells{};
         Vec3d sum;

@@ -166,7 +166,7 @@ TEST(ExactPlanes, AProbeALixelAsideSaysWhatTheNextPixelDoes)
 TEST(ExactPlanes, ThePlanesTakeWhatTheyNeedTheOthersTheRestAndNeverMoreThanTheBudget)
 {
     int refused = 0, planned = 0;
-    forEachCase(60, [&](Rng& rng) {
+    forEachCase(kCases, [&](Rng& rng) {
         const Room room(rng);
         const ViewSamples samples = traceViewSamples(room.scene, room.view);
         const LixelSize budget{rng.integer(40, 400), rng.integer(40, 400)};

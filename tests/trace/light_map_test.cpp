@@ -61,7 +61,7 @@ Surface nearestByProjection(const LocalTriangles& casters, const PlannedRegion& 
 
 TEST(LightMap, HoldsTheNearestDepthOfTheRayThroughEachLixelCentre)
 {
-    forEachCase(kCases / 10, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const double scale = rng.logUniform(1e-3, 1e4);
         const Vec3d centreLocal = rng.inBox(scale);
         const Shape shape = joined(gridPlane(3, 0.7), placed(translation({0, 0.3, 0}), sphere(12, 7, 0.4)));

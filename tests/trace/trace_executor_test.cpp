@@ -100,21 +100,21 @@ int expectBodyIsLit(Rng& rng, bool isWarped, MapKind maps = MapKind::Matrix)
 TEST(TraceExecutor, AnUnoccludedBodyIsLitAtAnySlopeScaleAndResolution)
 {
     int served = 0;
-    forEachCase(kCases / 4, [&](Rng& rng) { served += expectBodyIsLit(rng, false); });
+    forEachCase(kCases, [&](Rng& rng) { served += expectBodyIsLit(rng, false); });
     EXPECT_GT(served, 10000);
 }
 
 TEST(TraceExecutor, AnUnoccludedBodyIsLitUnderAnyWarp)
 {
     int served = 0;
-    forEachCase(kCases / 4, [&](Rng& rng) { served += expectBodyIsLit(rng, true); });
+    forEachCase(kCases, [&](Rng& rng) { served += expectBodyIsLit(rng, true); });
     EXPECT_GT(served, 10000);
 }
 
 TEST(TraceExecutor, AnUnoccludedBodyIsLitOnParaboloidsWithAndWithoutWarps)
 {
     int served = 0;
-    forEachCase(kCases / 4, [&](Rng& rng) { served += expectBodyIsLit(rng, rng.chance(0.5), MapKind::Paraboloid); });
+    forEachCase(kCases, [&](Rng& rng) { served += expectBodyIsLit(rng, rng.chance(0.5), MapKind::Paraboloid); });
     EXPECT_GT(served, 10000);
 }
 

@@ -49,7 +49,7 @@ struct Placed
 
 TEST(TraceViewSamples, EverySampleProjectsToItsPixelsCentreAndLiesOnItsTriangle)
 {
-    forEachCase(kCases / 4, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const Placed scene(rng);
         const View view = anyView(rng, scene.centreWorld, scene.scale);
         const TraceScene traced(scene.casters, {}, {});
@@ -71,7 +71,7 @@ TEST(TraceViewSamples, EverySampleProjectsToItsPixelsCentreAndLiesOnItsTriangle)
 // Brute force in another formula: the least depth of all triangles whose projection holds the pixel's centre.
 TEST(TraceViewSamples, SeesTheNearestTriangle)
 {
-    forEachCase(kCases / 20, [](Rng& rng) {
+    forEachCase(kCases, [](Rng& rng) {
         const Placed scene(rng);
         const View view = anyView(rng, scene.centreWorld, scene.scale);
         const TraceScene traced(scene.casters, {}, {});
