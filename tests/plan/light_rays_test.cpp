@@ -101,8 +101,8 @@ TEST(LightRays, WhatIsLeftIsWhatNoRegionHolds)
             ++(isLeft ? left : taken);
         }
     });
-    EXPECT_GT(left, 10000u);
-    EXPECT_GT(taken, 10000u);
+    EXPECT_GT(left, std::size_t(test::scaled(10000)));
+    EXPECT_GT(taken, std::size_t(test::scaled(10000)));
 }
 
 TEST(LightRays, OfPointsAllRoundTheLightAreTheWholeSphereElseOnePolygonAroundAll)
@@ -127,8 +127,8 @@ TEST(LightRays, OfPointsAllRoundTheLightAreTheWholeSphereElseOnePolygonAroundAll
             EXPECT_GT(countIn(rays, ray, 1e-7), 0);
         }
     });
-    EXPECT_GT(whole, 100);
-    EXPECT_GT(one, 1000);
+    EXPECT_GT(whole, test::scaled(100));
+    EXPECT_GT(one, test::scaled(1000));
 }
 
 // How many of one fit's square the other's has room for, both images of one light and with the same w: areas go with one over the
@@ -182,7 +182,7 @@ TEST(LightRays, AMapCutToSomeRaysHoldsThemAllAndNeverGrows)
             }
     });
     std::printf("%d smaller, %d missed\n", smaller, missed);
-    EXPECT_GT(smaller, 100);
+    EXPECT_GT(smaller, test::scaled(100));
 }
 
 // A floor and a wall that meet, with boxes on the floor: all visible points are gathered, the rays that come to the floor or the wall
@@ -282,7 +282,7 @@ TEST(LightRays, TheFallbackOfFloorAndWallIsTheLeastRectangleAroundAllOtherVisibl
         tight += high.x - low.x > 1.8 && high.y - low.y > 1.8;
     });
     std::printf("%d without a fallback, %d with one, %d of them filled by random rays\n", none, some, tight);
-    EXPECT_GT(some, 100);
+    EXPECT_GT(some, test::scaled(100));
     EXPECT_GT(tight, some / 2);
 }
 

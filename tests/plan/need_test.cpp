@@ -62,7 +62,7 @@ TEST(Need, IsWhatSmallStepsOnTheSurfaceShow)
         EXPECT_NEAR(need.alongX / (across * x), 1, precision);
         EXPECT_NEAR(need.alongY / (across * y), 1, precision);
     });
-    EXPECT_GT(tried, 200);
+    EXPECT_GT(tried, test::scaled(200));
 }
 
 double errorOf(std::span<const LixelRectangle> pieces, std::span<const Need> needs, std::span<const bool> turned)

@@ -99,7 +99,7 @@ TEST(Paraboloid, TheRayThroughAPointsLixelMeetsThePointAndTravelsAsLightDoes)
             ++met;
         }
     });
-    EXPECT_GT(met, test::kCases / 4);
+    EXPECT_GT(met, test::scaled(test::kCases) / 4);
 }
 
 TEST(Paraboloid, DerivativesAreFiniteDifferences)
@@ -146,7 +146,7 @@ TEST(Paraboloid, TheDepthOfAPlaneAtATapIsThatOfTheRayThroughIt)
         EXPECT_NEAR(depth, 0.5 - 0.5 * ndc->z, 2e-4 * std::abs(0.5 - 0.5 * ndc->z) + 4 * receiver.slack + 1e-6);
         ++compared;
     });
-    EXPECT_GT(compared, test::kCases / 4);
+    EXPECT_GT(compared, test::scaled(test::kCases) / 4);
 }
 
 TEST(Paraboloid, MapsWithoutAWarpHaveTheIdentity)

@@ -112,7 +112,7 @@ TEST_P(PlaneOptimalMap, HoldsEveryReceiverWithItsPlaceInThePictureOrIsRefusedByN
     std::printf("%d maps, %d receivers left to the next region", held, narrowed);
     for (const auto& [reason, count] : refusals) std::printf(", %s %d", reason.c_str(), count);
     std::printf("\n");
-    EXPECT_GT(held, 400);
+    EXPECT_GT(held, test::scaled(400));
 }
 
 // Planes in the faces and through the corners of boxes, through the light, through the eye, across the line of sight.
@@ -162,7 +162,7 @@ TEST_P(PlaneOptimalMap, OfAwkwardSetupsIsFiniteAndHoldsItsReceiversOrIsRefusedBy
         expectCovers(setup, *fit, rng, narrowed);
     });
     std::printf("%d maps\n", held);
-    EXPECT_GT(held, 200);
+    EXPECT_GT(held, test::scaled(200));
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, PlaneOptimalMap, testing::Bool(),
@@ -193,7 +193,7 @@ TEST(PlaneOptimal, AtALixelAPixelLixelCentresArePixelCentres)
             EXPECT_NEAR(lixel->y + r.y0, pixel.y, allowed);
         }
     });
-    EXPECT_GT(seen, 1000);
+    EXPECT_GT(seen, test::scaled(1000));
 }
 
 // Pixels that the corners of the map's square are at, by the rays of light through them.
@@ -263,7 +263,7 @@ TEST(PlaneOptimal, ATwistToALineMakesItHorizontalOrVerticalInTheMap)
         EXPECT_LT(std::min(dx, dy),
                   1e-6 * (1 + std::abs(first.x) + std::abs(first.y) + std::max(dx, dy)) / flattest(setup));
     });
-    EXPECT_GT(tried, 200);
+    EXPECT_GT(tried, test::scaled(200));
 }
 
 TEST(PlaneOptimal, ATwistToALineThatIsNotInThePictureIsLeftOut)
@@ -298,8 +298,8 @@ TEST(PlaneOptimal, ATwistToALineThatIsNotInThePictureIsLeftOut)
         EXPECT_EQ(fit->lightClipFromLocal, none->lightClipFromLocal);
     });
     std::printf("%d behind the viewer, %d beside the picture\n", behind, beside);
-    EXPECT_GT(behind, 20);
-    EXPECT_GT(beside, 20);
+    EXPECT_GT(behind, test::scaled(20));
+    EXPECT_GT(beside, test::scaled(20));
 }
 
 // A lamp just above a wide floor: what is next to it has no place in one map.
@@ -359,7 +359,7 @@ TEST(PlaneOptimal, OneCornerOfTheViewAloneOnThePlaneHasItsLixels)
         }
     });
     std::printf("%d points\n", tried);
-    EXPECT_GT(tried, 100);
+    EXPECT_GT(tried, test::scaled(100));
 }
 
 } // namespace

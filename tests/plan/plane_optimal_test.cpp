@@ -64,7 +64,7 @@ TEST(PlaneOptimal, EveryPointOfThePlaneThatTheViewerSeesHasItsPixelAsItsPlaceInT
             EXPECT_NEAR(lixel.y, pixel.y, allowed(setup));
         }
     });
-    EXPECT_GT(seen, 1000);
+    EXPECT_GT(seen, test::scaled(1000));
 }
 
 // Equation 1 and what follows from it.
@@ -121,8 +121,8 @@ TEST(PlaneOptimal, TheClosedFormIsThePapersSolutionOfFivePoints)
         ++compared;
     });
     std::printf("%d compared, %d of them with a quad that spans infinity\n", compared, straddling);
-    EXPECT_GT(compared, 1000);
-    EXPECT_GT(straddling, 100);
+    EXPECT_GT(compared, test::scaled(1000));
+    EXPECT_GT(straddling, test::scaled(100));
 }
 
 TEST(PlaneOptimal, APlaneTurnedOverIsTheSamePlane)
@@ -191,7 +191,7 @@ TEST(PlaneOptimal, AMinersLampHasAnImageParallelToTheViewersForEveryPlaneAndAffi
                       10 * allowed(setup) * (1 + (length(la) + length(lb)) / setup.view.width));
         }
     });
-    EXPECT_GT(tried, 100);
+    EXPECT_GT(tried, test::scaled(100));
 }
 
 TEST(PlaneOptimal, ALightOrAnEyeInThePlaneIsRefusedByName)
@@ -241,7 +241,7 @@ TEST(PlaneOptimal, APlaneBetweenEyeAndLightIsRefusedByName)
         ASSERT_FALSE(fit);
         refused += fit.error() == FitFailure::PlaneFacesAway;
     });
-    EXPECT_GT(refused, 100);
+    EXPECT_GT(refused, test::scaled(100));
 }
 
 TEST(PlaneOptimal, TheRectangleOfWholePixelsIsTheLeastThatHoldsABody)

@@ -66,8 +66,8 @@ TEST(Planes, ARayBelongsToThePlaneThatItMeetsFirst)
             ++(a < b ? first : second);
         }
     });
-    EXPECT_GT(first, 1000);
-    EXPECT_GT(second, 1000);
+    EXPECT_GT(first, test::scaled(1000));
+    EXPECT_GT(second, test::scaled(1000));
 }
 
 TEST(Planes, APolygonHasTheRaysThroughIt)
@@ -98,8 +98,8 @@ TEST(Planes, APolygonHasTheRaysThroughIt)
             ++(isInside ? inside : outside);
         }
     });
-    EXPECT_GT(inside, 1000);
-    EXPECT_GT(outside, 1000);
+    EXPECT_GT(inside, test::scaled(1000));
+    EXPECT_GT(outside, test::scaled(1000));
 }
 
 PlanInput inputFor(const RandomSetup& setup, const char* technique, LixelSize lixels)
@@ -150,9 +150,9 @@ TEST(Planes, ThatHaveNoMapAreLeftOutByNameAndTheRestIsServed)
             EXPECT_NE(test::serving(plan, samples.positionLocal[i], samples.normal[i], receiver), nullptr);
         }
     });
-    EXPECT_GT(away, 1000);
-    EXPECT_GT(edgeOn, 1000);
-    EXPECT_GT(inPlane, 1000);
+    EXPECT_GT(away, test::scaled(1000));
+    EXPECT_GT(edgeOn, test::scaled(1000));
+    EXPECT_GT(inPlane, test::scaled(1000));
 }
 
 TEST(Planes, WithExactAllocationLieOnThePixelGridWithinTheBudgetOrAreTooManyByName)
@@ -193,8 +193,8 @@ TEST(Planes, WithExactAllocationLieOnThePixelGridWithinTheBudgetOrAreTooManyByNa
             }
         }
     });
-    EXPECT_GT(planned, 200);
-    EXPECT_GT(tooFew, 20);
+    EXPECT_GT(planned, test::scaled(200));
+    EXPECT_GT(tooFew, test::scaled(20));
 }
 
 // Receivers of a floor and a wall at right angles, with shadows that end along some lines of both.
@@ -286,7 +286,7 @@ TEST(PlanesAuto, AreTheSameAgainAndTakenWhereThePredictedErrorFalls)
         EXPECT_GE(next.lights[0].foundPlanes.size(), 1u);
     });
     std::printf("%d of 200 with planes, %d kept\n", withPlanes, kept);
-    EXPECT_GT(withPlanes, 50);
+    EXPECT_GT(withPlanes, test::scaled(50));
     EXPECT_GE(kept, withPlanes);
 }
 

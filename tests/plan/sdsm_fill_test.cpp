@@ -121,7 +121,7 @@ TEST(SdsmFill, TablesMadeFromSamplesAreThoseOfThePlan)
                                 s.samples.positionLocal[k], farthest);
         }
     });
-    EXPECT_GT(compared, kCases / 20);
+    EXPECT_GT(compared, test::scaled(kCases) / 20);
 }
 
 TEST(SdsmFill, EverySampleThatFacesTheLightIsServed)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -15,7 +16,14 @@ bool isThorough()
     return value && std::string(value) == "1";
 }
 
-int scaled(int cases) { return isThorough() ? 50 * cases : cases; }
+// Sanitizers look at what runs, which is several times slower, and not at how often.
+#ifdef __SANITIZE_ADDRESS__
+constexpr int kSlower = 2;
+#else
+constexpr int kSlower = 1;
+#endif
+
+int scaled(int cases) { return std::max(1, (isThorough() ? 50 * cases : cases) / kSlower); }
 
 void forEachCase(int cases, const std::function<void(Rng&)>& property)
 {

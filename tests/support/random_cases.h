@@ -39,7 +39,7 @@ inline constexpr int kCases = 2000;
 
 bool isThorough();
 
-// How many times a count of cases is run: itself, or fifty times it when thorough.
+// How many times a count of cases is run: itself, or fifty times it when thorough; half of that under sanitizers.
 int scaled(int cases);
 
 // Runs `property` on scaled(cases) generators, each with its own seed; a failure prints the seed that repeats it alone.
