@@ -38,15 +38,14 @@ OutputFolder::~OutputFolder()
     for (const fs::path& folder : made_) fs::remove(folder, stays);
 }
 
-ReportFolder::ReportFolder(const std::filesystem::path& path, bool withPictures) : folder_(path)
+ReportFolder::ReportFolder(const std::filesystem::path& path, bool withPictures) : folder_(path), staged_(path)
 {
     if (withPictures) {
         pictures_.emplace(path / "pictures");
         expectWritable(path / "pictures" / "any.png");
+        staged_.makeFolder("pictures");
     }
     for (const char* name : {"results.json", "report.html"}) expectWritable(path / name);
-    staged_.emplace(path);
-    if (withPictures) staged_->makeFolder("pictures");
 }
 
 bool isSameOutput(const fs::path& one, const fs::path& other)

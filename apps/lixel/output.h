@@ -38,13 +38,13 @@ class ReportFolder
 public:
     ReportFolder(const std::filesystem::path& path, bool withPictures); // throws OutputError
 
-    const std::filesystem::path& writeTo() const { return staged_->path(); }
-    void finish() { staged_->commit(); } // throws OutputError
+    const std::filesystem::path& writeTo() const { return staged_.path(); }
+    void finish() { staged_.commit(); } // throws OutputError
 
 private:
     OutputFolder folder_;
+    StagedFolder staged_;
     std::optional<OutputFolder> pictures_;
-    std::optional<StagedFolder> staged_; // always there: made last
 };
 
 // Whether two names are of one file, which cannot hold both; "-" is the same as itself. A device takes anything.

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kMostUnpackedBytes = std::size_t(2) << 30;
 constexpr std::size_t kMostBytesFromNothing = std::size_t(256) << 20;
+constexpr std::size_t kLargeView = std::size_t(64) << 20;
 constexpr std::size_t kMostViewBytes = std::size_t(4) << 30;
 constexpr std::size_t kMostOffset = std::size_t(1) << 40;
 
@@ -164,7 +165,7 @@ BufferView File::view(int i) const
     return {view.range.size, view.stride};
 }
 
-// What is near what was read before is read with it: views of gigabytes may be used at one end only.
+// At most two reads of a view: of a large one first the part that is asked for, which may be all that is used of it, then all.
 std::span<const std::byte> File::bytes(int i, std::size_t offset, std::size_t count)
 {
     View& view = views_[std::size_t(i)];
@@ -173,15 +174,14 @@ std::span<const std::byte> File::bytes(int i, std::size_t offset, std::size_t co
     if (!buffer.inUri.empty()) return std::span(buffer.inUri).subspan(view.range.offset + offset, count);
     const Range there = view.isRead;
     if (there.size == 0 || offset < there.offset || offset + count > there.offset + there.size) {
-        const std::size_t begin = there.size == 0 ? offset : std::min(offset, there.offset);
-        const std::size_t end = std::max(offset + count, there.offset + there.size);
-        if (end - begin > kMostViewBytes - read_)
+        const bool isFirst = there.size == 0;
+        view.isRead = isFirst && view.range.size > kLargeView ? Range{offset, count} : Range{0, view.range.size};
+        if (view.isRead.size > kMostViewBytes - read_)
             element("bufferViews", i).refuse("expected at most 4 GiB of buffer views");
-        read_ += end - begin;
-        const std::size_t from = view.range.offset + begin;
-        view.bytes =
-            buffer.beside ? buffer.beside->read(from, end - begin) : bytes_.read(buffer.inGlb + from, end - begin);
-        view.isRead = {begin, end - begin};
+        read_ += view.isRead.size;
+        const std::size_t from = view.range.offset + view.isRead.offset;
+        view.bytes = buffer.beside ? buffer.beside->read(from, view.isRead.size)
+                                   : bytes_.read(buffer.inGlb + from, view.isRead.size);
     }
     return std::span(view.bytes).subspan(offset - view.isRead.offset, count);
 }

@@ -75,8 +75,8 @@ private:
         std::size_t buffer = 0;
         Range range;
         std::size_t stride = 0;
-        std::vector<std::byte> bytes; // isRead of the view
-        Range isRead;
+        std::vector<std::byte> bytes; // those of isRead
+        Range isRead;                 // within the view
     };
 
     Range splitGlb();

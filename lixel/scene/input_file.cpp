@@ -18,7 +18,6 @@ namespace lixel {
 namespace {
 
 constexpr std::uintmax_t kMostFileBytes = std::uintmax_t(4) << 30;
-constexpr std::size_t kMostJsonBytes = std::size_t(256) << 20, kMostSettingsBytes = std::size_t(32) << 20;
 constexpr std::size_t kBlockBytes = std::size_t(1) << 20; // of text, read at a time
 
 // Length of the UTF-8 sequence that starts at `text`, 0 where there is none (RFC 3629: no overlong forms, no
@@ -153,21 +152,16 @@ std::vector<std::byte> readInputFile(const std::string& path)
 
 std::string readJsonFile(const std::string& path)
 {
-    constexpr std::string_view kExpected = "expected JSON text, found a zero byte";
     InputBytes bytes(path);
-    if (bytes.size() > kMostSettingsBytes) {
-        bytes.readText(0, kBlockBytes, path, kExpected); // says more, where it is no text at all
-        refuse(path, "", "expected at most 32 MiB of JSON");
-    }
-    return readJsonText(bytes, 0, bytes.size(), path, kExpected);
+    return readJsonText(bytes, 0, bytes.size(), path, "expected JSON text, found a zero byte", 32);
 }
 
 std::string readJsonText(InputBytes& bytes, std::size_t offset, std::size_t count, const std::string& file,
-                         std::string_view expected)
+                         std::string_view expected, std::size_t mostMiB)
 {
-    if (count > kMostJsonBytes) {
+    if (count > mostMiB << 20) {
         bytes.readText(offset, kBlockBytes, file, expected); // says more, where it is no text at all
-        refuse(file, "", "expected at most 256 MiB of JSON");
+        refuse(file, "", fmt::format("expected at most {} MiB of JSON", mostMiB));
     }
     return bytes.readText(offset, count, file, expected);
 }

@@ -50,7 +50,7 @@ private:
 std::vector<std::byte> readInputFile(const std::string& path);
 std::string readJsonFile(const std::string& path);
 std::string readJsonText(InputBytes& bytes, std::size_t offset, std::size_t count, const std::string& file,
-                         std::string_view expected);
+                         std::string_view expected, std::size_t mostMiB = 256);
 
 // A file that another one names, beside it. Absolute names, and any name where `baseDirectory` is empty, are refused.
 InputBytes openNeighbour(const std::string& baseDirectory, const std::string& relative, const std::string& file,

@@ -8,10 +8,11 @@
 #include "lixel/report/exr.h"
 #include "lixel/report/png.h"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <fstream>
 #include <numbers>
 
@@ -246,6 +247,35 @@ TEST_F(Render, OddNamesAndOnePixelAreFine)
             .exitCode,
         0);
     EXPECT_EQ(readPng(folder_.path() / "one").height(), 1);
+}
+
+// Exporters that put all meshes into one view are many; it is not read anew for each.
+TEST_F(Render, ManyAccessorsOfOneLargeViewAreReadAtOnce)
+{
+    constexpr int kCount = 100, kStep = 1 << 20;
+    std::string accessors, primitives;
+    for (int i = 0; i < kCount; ++i) {
+        accessors +=
+            fmt::format(R"({}{{"bufferView": 0, "byteOffset": {}, "componentType": 5126, "count": 3, "type": "VEC3"}})",
+                        i > 0 ? "," : "", i * kStep);
+        primitives += fmt::format(R"({}{{"attributes": {{"POSITION": {}}}}})", i > 0 ? "," : "", i);
+    }
+    const std::string text = fmt::format(
+        R"({{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}], "meshes": [{{"primitives": [{}]}}],
+             "accessors": [{}], "bufferViews": [{{"buffer": 0, "byteLength": {}}}], "buffers": [{{"byteLength": {}, "uri": "many.bin"}}]}})",
+        primitives, accessors, kCount * kStep, kCount * kStep);
+    write("many.gltf", text);
+    std::ofstream bin(folder_.path() / "many.bin", std::ios::binary);
+    for (int i = 0; i < kCount; ++i) {
+        const float x = float(i % 10), z = float(i / 10);
+        const float triangle[] = {x, 0, z, x, 0, z + 1, x + 1, 0, z};
+        bin.seekp(i * kStep);
+        bin.write(reinterpret_cast<const char*>(triangle), sizeof triangle);
+    }
+    bin.close();
+    std::filesystem::resize_file(folder_.path() / "many.bin", std::uintmax_t(kCount) * kStep);
+    const std::vector<float> seen = channels("./many.gltf", {}).channels.at("receiver.A");
+    EXPECT_GT(std::count(seen.begin(), seen.end(), 1.0f), 10);
 }
 
 TEST_F(Render, AMaterialFileIsReadOnceHoweverOftenItIsNamed)

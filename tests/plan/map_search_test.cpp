@@ -206,7 +206,7 @@ TEST_P(WideSearch, IsWithin2PercentOfEveryAxisOn95OfAHundred)
     std::printf("%d of %d within 2 %%, worst ratio %.3f\n", within, tried, worst);
     RecordProperty("within", within);
     RecordProperty("tried", tried);
-    EXPECT_GT(tried, std::getenv("LIXEL_SEED") ? 0 : 12);
+    EXPECT_GT(tried, std::getenv("LIXEL_SEED") ? 0 : scaled(24) / 2);
     EXPECT_GE(within, 0.95 * tried);
 }
 
