@@ -2,6 +2,7 @@
 #include "executor.h"
 
 #include "exit_code.h"
+#include "lixel/base/median.h"
 #include "lixel/gl/graphics_error.h"
 #include "lixel/trace/shade.h"
 #include "lixel/trace/trace_executor.h"
@@ -13,19 +14,12 @@
 #include "lixel/gl/executor.h"
 #endif
 
-#include <algorithm>
 #include <thread>
 
 #include <fmt/format.h>
 
 namespace lixel::app {
 namespace {
-
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 std::string processors() { return fmt::format("{} processors", std::thread::hardware_concurrency()); }
 

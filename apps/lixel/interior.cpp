@@ -3,6 +3,7 @@
 
 #include "picture_interest.h"
 
+#include "lixel/base/median.h"
 #include "lixel/scene/framing.h"
 #include "lixel/trace/parallel.h"
 #include "lixel/trace/trace_scene.h"
@@ -52,9 +53,7 @@ double medianHeight(const ViewSamples& samples, Vec3d eyeWorld)
     if (samples.size() == 0) return 0;
     std::vector<double> heights;
     for (const Vec3f& p : samples.positionLocal) heights.push_back(p.y + samples.originWorld.y - eyeWorld.y);
-    const auto middle = heights.begin() + std::ptrdiff_t(heights.size() / 2);
-    std::nth_element(heights.begin(), middle, heights.end());
-    return *middle;
+    return median(std::move(heights));
 }
 
 Surroundings lookAround(const TraceScene& scene, Vec3d eyeWorld, double near)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "loop_race.h"
 
+#include "lixel/base/median.h"
 #include "lixel/gl/graphics_error.h"
 #include "run_results.h"
 
@@ -8,7 +9,6 @@
 #include "lixel/gl/frame_loop.h"
 #endif
 
-#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -54,12 +54,6 @@ private:
     std::vector<PassTime> sums_;
     int frames_ = 0;
 };
-
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 } // namespace
 

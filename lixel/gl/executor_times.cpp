@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/gl/executor_state.h"
 
+#include "lixel/base/median.h"
+
 #include <epoxy/gl.h>
 
-#include <algorithm>
 #include <chrono>
 
 namespace lixel {
-namespace {
-
-double median(std::vector<double> values)
-{
-    LX_ASSERT(!values.empty());
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
-} // namespace
 
 FrameTimes GlExecutor::State::timesOf(int frames, const std::function<void()>& drawOne)
 {

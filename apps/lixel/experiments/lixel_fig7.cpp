@@ -5,6 +5,7 @@
 #include "experiments/lixel_fig7_numbers.h"
 #include "lixel/report/png.h"
 #include "lixel/scene/framing.h"
+#include "planning_time.h"
 #include "run_results.h"
 
 #include <algorithm>
@@ -223,16 +224,7 @@ void Figure7::timePlanning(const PlanSubject& subject, const ResultRow& row)
                     lixels.total};
     input.planes = subject.planes;
     input.lixelsOfRegions = lixels.ofRegions;
-    FitScratch scratch;
-    FramePlan plan;
-    std::vector<double> ms;
-    for (int i = 0; i < kPlanningRuns; ++i) {
-        const Stopwatch watch;
-        plan = planShadows(input, scratch, std::move(plan));
-        ms.push_back(1e3 * watch.seconds());
-    }
-    std::nth_element(ms.begin(), ms.begin() + kPlanningRuns / 2, ms.end());
-    planningPercent_[row.scene].push_back(100 * ms[kPlanningRuns / 2] / *m->timing.frameMs);
+    planningPercent_[row.scene].push_back(100 * planningMs(input, kPlanningRuns) / *m->timing.frameMs);
 }
 
 std::vector<ResultRow> Figure7::rowsAt(const Moment& moment, const Shooting& shooting, const Stage& stage)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/lixel_fig7_numbers.h"
 
+#include "lixel/base/median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -278,10 +280,7 @@ std::vector<ReproducedNumber> timingNumbersOf(const std::string& scene, std::spa
         for (const auto& [frame, one] :
              ofScene.by(technique, [](const ResultRow& row) { return row.measured()->timing.frameMs; }))
             ms.push_back(one);
-        if (ms.empty()) return std::nan("");
-        const auto middle = ms.begin() + std::ptrdiff_t(ms.size() / 2);
-        std::nth_element(ms.begin(), middle, ms.end());
-        return *middle;
+        return ms.empty() ? std::nan("") : median(ms);
     };
     const double planes = medianMs(kPlanes), conventional = medianMs(kConventional);
     std::vector<ReproducedNumber> numbers;

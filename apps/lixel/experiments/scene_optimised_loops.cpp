@@ -3,6 +3,7 @@
 
 #include "exit_code.h"
 #include "lixel/plan/observe.h"
+#include "planning_time.h"
 #include "run_results.h"
 
 #include <algorithm>
@@ -177,16 +178,7 @@ double LoopExperiment::hullMs(std::span<const Light> lights, LixelSize lixels) c
     PlanInput input{view, lights, stage_.buffers.bounds.boxesWorld, path_.originWorld, {}, lixels};
     input.technique.fit = DesiredViewFit{true};
     input.seen = &observed.samples;
-    FitScratch scratch;
-    FramePlan plan;
-    std::vector<double> ms;
-    for (int i = 0; i < kHullPlans; ++i) {
-        const Stopwatch watch;
-        plan = planShadows(input, scratch, std::move(plan));
-        ms.push_back(1e3 * watch.seconds());
-    }
-    std::nth_element(ms.begin(), ms.begin() + kHullPlans / 2, ms.end());
-    return ms[kHullPlans / 2];
+    return planningMs(input, kHullPlans);
 }
 
 Reproduction LoopExperiment::finished()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/lookup_times.h"
 
+#include "lixel/base/median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -14,12 +16,6 @@ double msOf(const RowTiming& timing, std::string_view pass)
 {
     const auto found = std::ranges::find(timing.passes, pass, &PassTime::name);
     return found != timing.passes.end() ? found->ms : 0;
-}
-
-double median(std::vector<double>& values)
-{
-    std::ranges::sort(values);
-    return values[values.size() / 2];
 }
 
 // One frame and its passes. Where processors draw, frames are what they spend on them: that depends little on what else the machine does.

@@ -3,6 +3,7 @@
 
 #include "comparison.h"
 #include "finish_study.h"
+#include "lixel/base/median.h"
 #include "lixel/judge/best_front.h"
 #include "lixel/plan/lookup/lookup.h"
 #include "run_results.h"
@@ -79,15 +80,6 @@ std::vector<ResultRow> rowsOfShot(const StudiedPicture& picture, const Shot& sho
                              executors, [&](std::string_view now) { progress.step(now); });
 }
 
-// 0 of none.
-double medianOf(std::vector<double> values)
-{
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
 // One lookup's rows added up.
 class Sum
 {
@@ -120,7 +112,7 @@ public:
         LookupStudy::Lookup out = out_;
         const double n = std::max(out.lights, 1);
         out.misclassifiedPercent /= n;
-        out.transitionPixels = medianOf(transitions_);
+        out.transitionPixels = transitions_.empty() ? 0 : median(transitions_);
         out.bleedingPercent /= double(std::max<std::int64_t>(out.darkInterior.samples, 1));
         out.areaRmse = std::sqrt(out.areaRmse / n);
         if (out.filterLixels) out.filteredRmse = std::sqrt(filteredSquares_ / n);
