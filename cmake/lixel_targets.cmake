@@ -50,7 +50,7 @@ function(lixel_test name)
     PRIVATE ${test_UNPARSED_ARGUMENTS} lixel_test_support lixel_flags GTest::gtest GTest::gtest_main)
   set(properties LABELS ${name})
   if(name STREQUAL "gl" OR name STREQUAL "apps")
-    list(APPEND properties RESOURCE_LOCK graphics)
+    list(APPEND properties RESOURCE_LOCK graphics COST 1000) # first: one at a time, beside the others
   endif()
   set(apart)
   foreach(suite IN LISTS test_TOGETHER)

@@ -184,6 +184,8 @@ struct Against
     bool hasShear;
 };
 
+void PrintTo(const Against& against, std::ostream* out) { *out << against.name; }
+
 class WideSearch : public testing::TestWithParam<std::tuple<LixelMetric, Against>>
 {
 };
