@@ -32,6 +32,19 @@ void expectInTheTableOfClaims(const Json& claims)
     }
 }
 
+// Claims are settled by keys: two numbers of one key would be taken for each other.
+void expectDistinctKeys(const Json& reproduction)
+{
+    std::set<std::string> keys;
+    const auto expectNew = [&](const std::string& key) { EXPECT_TRUE(keys.insert(key).second) << key; };
+    for (const Json& number : reproduction.at("numbers")) expectNew(number.at("key"));
+    for (const Json& number : reproduction.at("timing").at("numbers")) expectNew(number.at("key"));
+    for (const Json& table : reproduction.at("tables"))
+        for (const Json& row : table.at("rows"))
+            for (const Json& column : table.at("columns"))
+                expectNew(row.at("title").get<std::string>() + ": " + column.at("title").get<std::string>());
+}
+
 // Once for all tests, by the CPU executor.
 class ReproduceLixelFig7 : public ::testing::Test
 {
@@ -68,6 +81,7 @@ TEST_F(ReproduceLixelFig7, WritesNumbersAndAReport)
     EXPECT_NE(run_.out.find("performed comparably"), std::string::npos) << run_.out;
     EXPECT_GT(fs::file_size(out() / "report.html"), 100'000u);
     const Json run = results();
+    expectDistinctKeys(run.at("reproduction"));
     for (const Json& number : run.at("reproduction").at("numbers"))
         EXPECT_NE(run_.out.find(number.at("key").get<std::string>()), std::string::npos);
 }
@@ -203,6 +217,7 @@ TEST_F(ReproduceSceneOptimisedTable1, WritesItsTableAndAReport)
 {
     EXPECT_EQ(schemaError(resultsText()), "");
     EXPECT_GT(fs::file_size(out() / "report.html"), 50'000u);
+    expectDistinctKeys(results().at("reproduction"));
     const Json table = results().at("reproduction").at("tables").at(0);
     ASSERT_EQ(table.at("rows").size(), 1 + table.at("columns").size()) << "all data, the worst tenth by each method";
     int papers = 0;
@@ -293,7 +308,9 @@ Json reproducedMultipleDepth(const std::string& name)
     EXPECT_EQ(run.exitCode, 0) << run.err;
     const std::string text = readWhole(folder.path() / "out.json");
     EXPECT_EQ(schemaError(text), "");
-    return Json::parse(text).at("reproduction");
+    const Json reproduction = Json::parse(text).at("reproduction");
+    expectDistinctKeys(reproduction);
+    return reproduction;
 }
 
 // Never more shades than n k + 1, and all of them where they are few.
@@ -374,6 +391,7 @@ TEST(ReproduceNowTables, HaveMisclassifiedPercentOfEveryMethodAndSayWhatIsLeftOu
     std::map<std::string, double> percent;
     for (const Json& number : reproduction.at("numbers")) percent[number.at("key")] = number.at("ours");
     EXPECT_EQ(percent.size(), 6u);
+    expectDistinctKeys(reproduction);
     EXPECT_LT(percent.at("city (Observatory): NOW of lixel, misclassified"),
               percent.at("city (Observatory): RTW, misclassified"));
     EXPECT_LT(percent.at("city (Observatory): RTW, misclassified"),
@@ -394,6 +412,7 @@ TEST(ReproduceNowFigures, ShowThatWarpsSpreadSamples)
     const Json reproduction = Json::parse(run.out).at("reproduction");
     std::map<std::string, double> ours;
     for (const Json& number : reproduction.at("numbers")) ours[number.at("key")] = number.at("ours");
+    expectDistinctKeys(reproduction);
     const double before = ours.at("city: cells with view samples, before warping"),
                  byRows = ours.at("city: cells with view samples, after the rows"),
                  byBoth = ours.at("city: cells with view samples, after the columns");
@@ -440,7 +459,9 @@ TEST(ReproduceAll, RunsEveryExperimentIntoAFolderOfItsName)
     std::size_t claims = 0;
     for (const Json* entries : {&all.at("experiments"), &all.at("timing").at("experiments")})
         for (const Json& experiment : *entries) {
-            EXPECT_TRUE(fs::exists(out / experiment.at("name").get<std::string>() / "report.html")) << experiment;
+            const fs::path folderOfIt = out / experiment.at("name").get<std::string>();
+            EXPECT_TRUE(fs::exists(folderOfIt / "report.html")) << experiment;
+            expectDistinctKeys(Json::parse(readWhole(folderOfIt / "results.json")).at("reproduction"));
             expectInTheTableOfClaims(experiment.at("claims"));
             claims += experiment.at("claims").size();
         }

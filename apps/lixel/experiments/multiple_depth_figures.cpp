@@ -212,7 +212,8 @@ void Figures::addNumbers()
     for (const std::size_t r : {Planar, Curved})
         for (const Against& against : kTruths) {
             ReproducedTable::Row row{fmt::format("{} receivers, against {}", kReceivers[r], against.truth), {}};
-            ReproducedTable::Row& most = largest.rows.emplace_back(row);
+            ReproducedTable::Row most{fmt::format("{} receivers, largest against {}", kReceivers[r], against.truth),
+                                      {}};
             for (const Errors& errors : errors_[r]) {
                 row.cells.push_back({(errors.*against.error).rootMeanSquare(), {}});
                 most.cells.push_back({(errors.*against.error).largest, {}});
@@ -225,6 +226,7 @@ void Figures::addNumbers()
                                         {},
                                         ""});
             table.rows.push_back(std::move(row));
+            largest.rows.push_back(std::move(most));
         }
     out_.tables.push_back(std::move(table));
     out_.tables.push_back(std::move(largest));
