@@ -7,6 +7,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -120,6 +121,33 @@ TEST_F(ExecutorTest, BothExecutorsAgreeOnSeveralDepthsInMapsOfAnyKind)
     std::printf("%zu of %zu differ, %d maps refused\n", differing, all, refused);
     EXPECT_LT(double(differing), 1e-3 * double(all));
     EXPECT_LT(refused, scaled(16) / 2);
+}
+
+// A plan without a region has nothing to draw, to prepare or to look up: all is lit, with a plan before it or without.
+TEST_F(ExecutorTest, WhereEveryLightIsRefusedAllIsLitWithAnyLookup)
+{
+    Rng rng(5);
+    Setting s = anySetting(rng, 1, {64, 64}, 64, 48);
+    s.lights = {Light{}};
+    const Box box = s.scene.boxWorld();
+    for (const bool isFirst : {true, false})
+        for (const char* lookup :
+             {"", "+pcf(9)", "+bilinear", "+dual-plane", "+hardware-pcf", "+depths(2,max)", "+depths(4)",
+              "+depths(8)+pcf(9)", "+fast-pcf", "+vsm", "+evsm2", "+evsm4", "+msm"}) {
+            SCOPED_TRACE(lookup);
+            GlExecutor executor;
+            const ViewSamples samples = executor.viewSamples(s.casters, s.view);
+            const auto planOf = [&](const char* maps) {
+                const std::string words = std::string(maps) + lookup;
+                return planShadows(
+                    {s.view, s.lights, {&box, 1}, s.scene.originWorld, lookupOf(words.c_str()), {64, 64}});
+            };
+            if (!isFirst) executor.run(planOf("focused"), s.casters, samples);
+            const FramePlan refused = planOf("dual-paraboloid");
+            ASSERT_TRUE(refused.lights[0].refused);
+            const std::vector<Visibility> drawn = executor.run(refused, s.casters, samples);
+            EXPECT_TRUE(std::ranges::all_of(drawn[0].value, [](float value) { return value == 1; }));
+        }
 }
 
 TEST_F(ExecutorTest, AFrameOnTheDeviceIsThePictureOfItsSamplesAndTheirVisibility)

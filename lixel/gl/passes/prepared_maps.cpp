@@ -18,6 +18,7 @@ std::string lookupDefine(const shared::LxLookup& how)
 
 bool PreparedMaps::areFor(const FramePlan& plan) const
 {
+    if (plan.regionTable.empty()) return true; // every light was refused
     return of_ == lookupDefine(plan.lookup.how) && has_.size() == plan.regionTable.size() &&
            std::ranges::find(has_, 0) == has_.end();
 }
