@@ -35,6 +35,8 @@ def geometric_mean(values):
 
 
 def main():
+    if len(sys.argv) < 2 or sys.argv[1] in ("-h", "--help"):
+        sys.exit(__doc__.strip())
     rows, order = read(sys.argv[1:])
     order.sort(key=lambda t: (t not in ("focused", "uniform"), t))
     print("| scene | view, light | " + " | ".join(f"`{t}`" for t in order) + " |")
