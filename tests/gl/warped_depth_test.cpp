@@ -7,6 +7,7 @@
 #include "plan/random_warps.h"
 
 #include "lixel/gl/executor.h"
+#include "lixel/trace/trace_view_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,29 @@ TEST_F(WarpedDepthTest, ExactMapsAreThoseOfRays)
     });
     std::printf("%zu of %zu lixels apart\n", all.apart, all.lixels);
     EXPECT_LT(all.share(), 1e-4);
+}
+
+// What lies in the guard bands alone, where a warp is the identity, is drawn too: taps of wide kernels look there.
+TEST_F(WarpedDepthTest, ExactMapsOfPlannedWarpsAreThoseOfRaysToTheEndsOfTheirGuardBands)
+{
+    ShadowDrawer draw(device());
+    Apart all;
+    forEachCase(60, [&](Rng& rng) {
+        const SmallScene scene = anyObjectsOnAFloor(rng, 1);
+        const TraceScene traced(scene.casters());
+        const View view = anyViewOf(rng, {}, 1, 64, 64);
+        const Light light = anyLightOn(rng, {}, 1, 0.1, 10);
+        const ViewSamples samples = traceViewSamples(traced, view);
+        const Box box = scene.boxWorld();
+        const char* technique = rng.chance(0.5) ? "cube+now+pcf(25,jittered)" : "cube+rtw+pcf(9)";
+        const LixelSize lixels{rng.integer(30, 150), rng.integer(30, 150)};
+        PlanInput input{view, {&light, 1}, {&box, 1}, {}, std::get<MapTechnique>(*parseTechnique(technique)), lixels};
+        input.seen = &samples;
+        const FramePlan plan = planShadows(input);
+        all.add(draw.drawAtlas(plan, scene.casters()), traceAtlas(traced, plan));
+    });
+    std::printf("%zu of %zu lixels apart\n", all.apart, all.lixels);
+    EXPECT_LT(all.share(), 1e-5);
 }
 
 // Large triangles are shared among invocations and looked at run by run.

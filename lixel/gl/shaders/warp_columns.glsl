@@ -30,6 +30,13 @@ float functionAt(int firstKnot, BetweenKnots at)
     return mix(lxWarpKnot(firstKnot + at.cell), lxWarpKnot(firstKnot + at.cell + 1), at.share);
 }
 
+// What a range comes to whose ends are moved to these: outside the square nothing is.
+vec2 movedWithin(vec2 range, vec2 moved)
+{
+    bvec2 isInside = bvec2(range.x > 0.0 && range.x < 1.0, range.y > 0.0 && range.y < 1.0);
+    return mix(range, moved, isInside);
+}
+
 // What [x.x, x.y] comes to over the lines that serve [y.x, y.y]. Between two knots the functions of a block lie between the straight
 // lines through its bounds.
 vec2 warpedX(vec2 x, vec2 y)
@@ -60,7 +67,7 @@ vec2 warpedX(vec2 x, vec2 y)
         float high = mix(bounds[at + to.cell].y, bounds[at + to.cell + 1].y, to.share);
         range = vec2(min(range.x, low), max(range.y, high));
     }
-    return vec2(x.x > 0.0 ? range.x : x.x, x.y < 1.0 ? range.y : x.y);
+    return movedWithin(x, range);
 }
 
 // Of the region's NDC, in the square that is warped.
@@ -100,6 +107,5 @@ ivec2 lixelsOfColumn(int column, vec2 y)
         low = mix(low, functionAt(lines.second, from), lines.share);
         high = mix(high, functionAt(lines.second, to), lines.share);
     }
-    vec2 range = vec2(y.x > 0.0 ? low : y.x, y.y < 1.0 ? high : y.y);
-    return centresIn(range, warp.square.y - region.rectangle.y, warp.square.w - warp.square.y, setup.size.y);
+    return centresIn(movedWithin(y, vec2(low, high)), warp.square.y - region.rectangle.y, warp.square.w - warp.square.y, setup.size.y);
 }
