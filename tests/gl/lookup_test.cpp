@@ -65,7 +65,12 @@ constexpr std::array kLookups{"pcf(1)",
                               "depths(3,q=25)+pcf(4)",
                               "depths(4)+pcf(4)",
                               "depths(5)+pcf(4)",
-                              "depths(8,q=25)+pcf(9)+dual-plane"};
+                              "depths(8,q=25)+pcf(9)+dual-plane",
+                              "depths(2,min,q=25)+pcf(16,rotated)",
+                              "depths(3)+bilinear",
+                              "depths(4)+pcf(25,jittered)",
+                              "depths(4,bits=16)+dual-plane",
+                              "fast-pcf+pcf(9)"};
 
 constexpr std::array kMoments{"vsm", "evsm2", "evsm4(5)", "msm", "vsm(1)", "msm(5)"};
 
