@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/report/bench.h"
 
+#include "lixel/report/json_document.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -91,6 +93,8 @@ std::string toJson(const BenchResults& bench)
                            {"log_deviation", g.growth.deviation},
                            {"from_size", g.growth.from},
                            {"points", g.growth.points}});
+    Json timing = toJson(bench.timing);
+    timing["growth"] = growths;
     const Json all = {{"version", kVersion},
                       {"lixel_version", bench.lixelVersion},
                       {"command", bench.command},
@@ -99,12 +103,8 @@ std::string toJson(const BenchResults& bench)
                       {"timing_frames", bench.frames},
                       {"axes", axes},
                       {"rows", rows},
-                      {"timing",
-                       {{"date", bench.timing.date},
-                        {"host", bench.timing.host},
-                        {"total_seconds", bench.timing.totalSeconds},
-                        {"growth", growths}}}};
-    return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+                      {"timing", timing}};
+    return documentOf(all);
 }
 
 } // namespace lixel

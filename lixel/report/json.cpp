@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/report/json.h"
 
+#include "lixel/report/json_document.h"
+
 #include <nlohmann/json.hpp>
 
 namespace lixel {
@@ -175,7 +177,7 @@ Json rowJson(const ResultRow& of, const std::string& lixelVersion)
 
 std::string toJson(const ResultRow& row, const std::string& lixelVersion)
 {
-    return rowJson(row, lixelVersion).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return inOneLine(rowJson(row, lixelVersion));
 }
 
 std::string toJson(const RunResults& results)
@@ -189,11 +191,8 @@ std::string toJson(const RunResults& results)
                       {"command", results.command},
                       {"seed", results.seed},
                       {"results", rows},
-                      {"timing",
-                       {{"date", results.timing.date},
-                        {"host", results.timing.host},
-                        {"total_seconds", results.timing.totalSeconds}}}};
-    return run.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+                      {"timing", toJson(results.timing)}};
+    return documentOf(run);
 }
 
 } // namespace lixel

@@ -2,6 +2,7 @@
 #include "lixel/report/lookups.h"
 
 #include "lixel/report/json.h"
+#include "lixel/report/json_document.h"
 
 #include <nlohmann/json.hpp>
 
@@ -66,7 +67,7 @@ std::string toJson(const LookupStudy& study)
                     {"lookups", lookups},
                     {"fronts", frontsJson(study.fronts)},
                     {"timing", {{"fronts", frontsJson(study.frontsOfTimes)}}}};
-    return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return documentOf(all);
 }
 
 } // namespace lixel

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/report/one_to_one.h"
 
+#include "lixel/report/json_document.h"
+
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
@@ -40,28 +42,26 @@ Json worst(const std::optional<OneToOne::Worst>& of)
 std::string toJson(const OneToOne& study)
 {
     const auto onDevice = [&](const auto& of) { return study.onDevice ? Json(of(*study.onDevice)) : Json(nullptr); };
-    const Json json = {
-        {"version", kOneToOneVersion},
-        {"study", "one-to-one"},
-        {"lixel_version", study.lixelVersion},
-        {"command", study.command},
-        {"seed", study.seed},
-        {"configurations", study.configurations},
-        {"refused", study.refused},
-        {"max_deviation_double_pixels", most(study.inDouble.worstPixels)},
-        {"deviation_double_pixels", percentiles(study.inDouble.worstPixels)},
-        {"configurations_double", study.inDouble.worstPixels.size()},
-        {"points_double", study.inDouble.points},
-        {"worst_double", worst(study.worstInDouble)},
-        {"max_deviation_gpu_pixels", onDevice([](const auto& d) { return most(d.worstPixels); })},
-        {"deviation_gpu_pixels", onDevice([](const auto& d) { return percentiles(d.worstPixels); })},
-        {"configurations_gpu", onDevice([](const auto& d) { return Json(d.worstPixels.size()); })},
-        {"lixels_gpu", onDevice([](const auto& d) { return Json(d.points); })},
-        {"worst_gpu", worst(study.worstOnDevice)},
-        {"why_no_gpu", study.onDevice ? Json(nullptr) : Json(study.whyNotOnDevice)},
-        {"timing",
-         {{"date", study.timing.date}, {"host", study.timing.host}, {"total_seconds", study.timing.totalSeconds}}}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const Json json = {{"version", kOneToOneVersion},
+                       {"study", "one-to-one"},
+                       {"lixel_version", study.lixelVersion},
+                       {"command", study.command},
+                       {"seed", study.seed},
+                       {"configurations", study.configurations},
+                       {"refused", study.refused},
+                       {"max_deviation_double_pixels", most(study.inDouble.worstPixels)},
+                       {"deviation_double_pixels", percentiles(study.inDouble.worstPixels)},
+                       {"configurations_double", study.inDouble.worstPixels.size()},
+                       {"points_double", study.inDouble.points},
+                       {"worst_double", worst(study.worstInDouble)},
+                       {"max_deviation_gpu_pixels", onDevice([](const auto& d) { return most(d.worstPixels); })},
+                       {"deviation_gpu_pixels", onDevice([](const auto& d) { return percentiles(d.worstPixels); })},
+                       {"configurations_gpu", onDevice([](const auto& d) { return Json(d.worstPixels.size()); })},
+                       {"lixels_gpu", onDevice([](const auto& d) { return Json(d.points); })},
+                       {"worst_gpu", worst(study.worstOnDevice)},
+                       {"why_no_gpu", study.onDevice ? Json(nullptr) : Json(study.whyNotOnDevice)},
+                       {"timing", toJson(study.timing)}};
+    return documentOf(json);
 }
 
 } // namespace lixel

@@ -2,6 +2,7 @@
 #include "lixel/report/plane_budget.h"
 
 #include "lixel/report/json.h"
+#include "lixel/report/json_document.h"
 
 #include <nlohmann/json.hpp>
 
@@ -32,7 +33,7 @@ std::string toJson(const PlaneBudget& study)
                     {"quick", study.isQuick},
                     {"left_out", study.leftOut},
                     {"curves", curves}};
-    return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return documentOf(all);
 }
 
 } // namespace lixel

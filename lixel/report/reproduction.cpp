@@ -2,6 +2,7 @@
 #include "lixel/report/reproduction.h"
 
 #include "lixel/report/json.h"
+#include "lixel/report/json_document.h"
 
 #include <nlohmann/json.hpp>
 
@@ -156,7 +157,7 @@ std::string toJson(const Reproduction& reproduction)
                             {{"numbers", toJson(reproduction.timingNumbers)},
                              {"charts", toJson(reproduction.charts, true)},
                              {"claims", Json::parse(toJson(reproduction.claims, true))}}}};
-    return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return documentOf(all);
 }
 
 } // namespace lixel

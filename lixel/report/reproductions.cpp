@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/report/reproductions.h"
 
+#include "lixel/report/json_document.h"
 #include "lixel/report/write_file.h"
 
 #include <nlohmann/json.hpp>
@@ -79,17 +80,12 @@ std::string toJson(const Reproductions& all)
         times.push_back(
             {{"name", entry.name}, {"seconds", entry.seconds}, {"claims", Json::parse(toJson(entry.claims, true))}});
     }
-    const Json json = {{"version", kVersion},
-                       {"lixel_version", all.lixelVersion},
-                       {"command", all.command},
-                       {"quick", all.isQuick},
-                       {"experiments", entries},
-                       {"timing",
-                        {{"date", all.timing.date},
-                         {"host", all.timing.host},
-                         {"total_seconds", all.timing.totalSeconds},
-                         {"experiments", times}}}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    Json timing = toJson(all.timing);
+    timing["experiments"] = times;
+    const Json json = {{"version", kVersion},    {"lixel_version", all.lixelVersion},
+                       {"command", all.command}, {"quick", all.isQuick},
+                       {"experiments", entries}, {"timing", timing}};
+    return documentOf(json);
 }
 
 void writeReport(const std::filesystem::path& folder, const Reproductions& all)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/report/resolution.h"
 
+#include "lixel/report/json_document.h"
+
 #include <nlohmann/json.hpp>
 
 namespace lixel {
@@ -30,20 +32,18 @@ std::string toJson(const ResolutionStudy& study)
 {
     Json rows = Json::array();
     for (const ResolutionStudy::Row& row : study.rows) rows.push_back(toJson(row));
-    const Json json = {
-        {"version", kVersion},
-        {"study", "resolution"},
-        {"lixel_version", study.lixelVersion},
-        {"command", study.command},
-        {"scene", study.scene},
-        {"size", study.size},
-        {"executor", study.executor},
-        {"tolerance_percent", study.tolerancePercent},
-        {"largest_side", study.largestSide},
-        {"rows", rows},
-        {"timing",
-         {{"date", study.timing.date}, {"host", study.timing.host}, {"total_seconds", study.timing.totalSeconds}}}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const Json json = {{"version", kVersion},
+                       {"study", "resolution"},
+                       {"lixel_version", study.lixelVersion},
+                       {"command", study.command},
+                       {"scene", study.scene},
+                       {"size", study.size},
+                       {"executor", study.executor},
+                       {"tolerance_percent", study.tolerancePercent},
+                       {"largest_side", study.largestSide},
+                       {"rows", rows},
+                       {"timing", toJson(study.timing)}};
+    return documentOf(json);
 }
 
 } // namespace lixel

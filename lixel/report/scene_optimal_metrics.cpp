@@ -2,6 +2,7 @@
 #include "lixel/report/scene_optimal_metrics.h"
 
 #include "lixel/judge/rank_correlation.h"
+#include "lixel/report/json_document.h"
 
 #include <algorithm>
 #include <functional>
@@ -117,24 +118,22 @@ std::string toJson(const SceneOptimalMetrics& study)
     Json ranks = Json::array(), cases = Json::array();
     for (const MetricRanks& one : metricRanks(study)) ranks.push_back(toJson(one));
     for (const Case& c : study.cases) cases.push_back(toJson(c));
-    const Json json = {
-        {"version", kVersion},
-        {"study", "scene-optimal-metrics"},
-        {"lixel_version", study.lixelVersion},
-        {"command", study.command},
-        {"seed", study.seed},
-        {"scene", study.scene},
-        {"view", study.view},
-        {"size", study.size},
-        {"lixels", study.lixels},
-        {"executor", study.executor},
-        {"lights", study.lights},
-        {"lights_left_out", study.leftOut},
-        {"metrics", ranks},
-        {"cases", cases},
-        {"timing",
-         {{"date", study.timing.date}, {"host", study.timing.host}, {"total_seconds", study.timing.totalSeconds}}}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const Json json = {{"version", kVersion},
+                       {"study", "scene-optimal-metrics"},
+                       {"lixel_version", study.lixelVersion},
+                       {"command", study.command},
+                       {"seed", study.seed},
+                       {"scene", study.scene},
+                       {"view", study.view},
+                       {"size", study.size},
+                       {"lixels", study.lixels},
+                       {"executor", study.executor},
+                       {"lights", study.lights},
+                       {"lights_left_out", study.leftOut},
+                       {"metrics", ranks},
+                       {"cases", cases},
+                       {"timing", toJson(study.timing)}};
+    return documentOf(json);
 }
 
 } // namespace lixel

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/report/scene_optimal_search.h"
 
+#include "lixel/report/json_document.h"
+
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
@@ -53,25 +55,23 @@ std::string toJson(const SceneOptimalSearch& study)
                          {"energy_exhaustive", c.exhaustive},
                          {"energy_wide", c.wide},
                          {"energy_descent", c.descent}});
-    const Json json = {
-        {"version", kVersion},
-        {"study", "scene-optimal-search"},
-        {"lixel_version", study.lixelVersion},
-        {"command", study.command},
-        {"seed", study.seed},
-        {"scene", study.scene},
-        {"view", study.view},
-        {"lights", study.lights},
-        {"lights_left_out", study.leftOut},
-        {"axes", study.axes},
-        {"axes_refined", study.refined},
-        {"within_share", study.share},
-        {"wide", toJson(searchQuality(study, &SceneOptimalSearch::Case::wide))},
-        {"descent", toJson(searchQuality(study, &SceneOptimalSearch::Case::descent))},
-        {"cases", cases},
-        {"timing",
-         {{"date", study.timing.date}, {"host", study.timing.host}, {"total_seconds", study.timing.totalSeconds}}}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const Json json = {{"version", kVersion},
+                       {"study", "scene-optimal-search"},
+                       {"lixel_version", study.lixelVersion},
+                       {"command", study.command},
+                       {"seed", study.seed},
+                       {"scene", study.scene},
+                       {"view", study.view},
+                       {"lights", study.lights},
+                       {"lights_left_out", study.leftOut},
+                       {"axes", study.axes},
+                       {"axes_refined", study.refined},
+                       {"within_share", study.share},
+                       {"wide", toJson(searchQuality(study, &SceneOptimalSearch::Case::wide))},
+                       {"descent", toJson(searchQuality(study, &SceneOptimalSearch::Case::descent))},
+                       {"cases", cases},
+                       {"timing", toJson(study.timing)}};
+    return documentOf(json);
 }
 
 } // namespace lixel

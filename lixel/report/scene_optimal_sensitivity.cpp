@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/report/scene_optimal_sensitivity.h"
 
+#include "lixel/report/json_document.h"
+
 #include <nlohmann/json.hpp>
 
 namespace lixel {
@@ -25,22 +27,20 @@ std::string toJson(const SceneOptimalSensitivity& study)
                             {"misclassified_focused", point.ofFocused},
                             {"ratio_to_focused", point.ratio()},
                             {"lights", point.lights}});
-    const Json json = {
-        {"version", kVersion},
-        {"study", "scene-optimal-sensitivity"},
-        {"lixel_version", study.lixelVersion},
-        {"command", study.command},
-        {"seed", study.seed},
-        {"scene", study.scene},
-        {"view", study.view},
-        {"size", study.size},
-        {"lixels", study.lixels},
-        {"executor", study.executor},
-        {"lights", study.lights},
-        {"rows", rows},
-        {"timing",
-         {{"date", study.timing.date}, {"host", study.timing.host}, {"total_seconds", study.timing.totalSeconds}}}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const Json json = {{"version", kVersion},
+                       {"study", "scene-optimal-sensitivity"},
+                       {"lixel_version", study.lixelVersion},
+                       {"command", study.command},
+                       {"seed", study.seed},
+                       {"scene", study.scene},
+                       {"view", study.view},
+                       {"size", study.size},
+                       {"lixels", study.lixels},
+                       {"executor", study.executor},
+                       {"lights", study.lights},
+                       {"rows", rows},
+                       {"timing", toJson(study.timing)}};
+    return documentOf(json);
 }
 
 } // namespace lixel

@@ -3,6 +3,7 @@
 
 #include "lixel/base/assert.h"
 #include "lixel/report/json.h"
+#include "lixel/report/json_document.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,8 +13,6 @@ namespace lixel {
 namespace {
 
 using Json = nlohmann::json; // objects are sorted by key
-
-std::string inOneLine(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 // `timing` comes last, wherever its name would stand in the order: what follows can then be cut off.
 std::string lineOf(const Json& row, const Json& timing)
@@ -147,15 +146,13 @@ std::string toJson(const SweepResults& sweep)
 {
     Json rows = Json::array();
     for (const std::string& line : sweep.lines) rows.push_back(Json::parse(line));
-    const Json all = {
-        {"version", kResultsVersion},
-        {"lixel_version", sweep.lixelVersion},
-        {"command", sweep.command},
-        {"seed", sweep.seed},
-        {"sweep", {{"name", sweep.name}, {"question", sweep.question}}},
-        {"results", rows},
-        {"timing",
-         {{"date", sweep.timing.date}, {"host", sweep.timing.host}, {"total_seconds", sweep.timing.totalSeconds}}}};
+    const Json all = {{"version", kResultsVersion},
+                      {"lixel_version", sweep.lixelVersion},
+                      {"command", sweep.command},
+                      {"seed", sweep.seed},
+                      {"sweep", {{"name", sweep.name}, {"question", sweep.question}}},
+                      {"results", rows},
+                      {"timing", toJson(sweep.timing)}};
     return inOneLine(all) + "\n";
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lixel/report/warps.h"
 
+#include "lixel/report/json_document.h"
+
 #include <nlohmann/json.hpp>
 
 namespace lixel {
@@ -28,18 +30,11 @@ std::string toJson(const WarpStudy& study)
                         {"count_variation", row.countVariation},
                         {"knot_bytes", row.knotBytes}});
     const Json json = {
-        {"version", kVersion},
-        {"study", "warps"},
-        {"lixel_version", study.lixelVersion},
-        {"command", study.command},
-        {"scene", study.scene},
-        {"size", study.size},
-        {"lixels", study.lixels},
-        {"executor", study.executor},
-        {"rows", rows},
-        {"timing",
-         {{"date", study.timing.date}, {"host", study.timing.host}, {"total_seconds", study.timing.totalSeconds}}}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+        {"version", kVersion},           {"study", "warps"},           {"lixel_version", study.lixelVersion},
+        {"command", study.command},      {"scene", study.scene},       {"size", study.size},
+        {"lixels", study.lixels},        {"executor", study.executor}, {"rows", rows},
+        {"timing", toJson(study.timing)}};
+    return documentOf(json);
 }
 
 } // namespace lixel
