@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -69,6 +70,13 @@ double sidesAt(double fragmentsPerLixel, double fragmentsPerPixel)
     return std::sqrt(fragmentsPerLixel / fragmentsPerPixel);
 }
 
+// A lookup of a picture.
+struct Timed
+{
+    const OnePicture* picture;
+    std::string technique;
+};
+
 class Cost
 {
 public:
@@ -76,13 +84,13 @@ public:
         : options_(options),
           executor_(makeExecutor(options.executor)),
           sides_(options.isQuick ? std::vector<int>{256, 512, 768}
-                                 : std::vector<int>{256, 384, 512, 640, 768, 1024, 1280})
+                                 : std::vector<int>{256, 384, 512, 640, 768, 1024, 1280, 1536, 1792})
     {
     }
     Reproduction run();
 
 private:
-    std::vector<PassMs> timesOf(const OnePicture& picture, std::span<const std::string> techniques);
+    std::vector<PassMs> timesOf(std::span<const Timed> all);
     void addTerms(const OnePicture& picture);
     void addBreakEven();
     void addFragments();
@@ -101,16 +109,16 @@ private:
     Reproduction out_;
 };
 
-// The least times of passes in rounds of all techniques: what else the machine does then falls on all of them alike.
-std::vector<PassMs> Cost::timesOf(const OnePicture& picture, std::span<const std::string> techniques)
+// The least times of passes in rounds of all that is compared: what else the machine does then falls on all of it alike.
+std::vector<PassMs> Cost::timesOf(std::span<const Timed> all)
 {
     std::vector<FramePlan> plans;
-    for (const std::string& technique : techniques)
-        plans.push_back(picture.planOf(technique, {kMap, kMap}, *executor_));
+    for (const Timed& one : all) plans.push_back(one.picture->planOf(one.technique, {kMap, kMap}, *executor_));
     std::vector<PassMs> least(plans.size(), {1e30, 1e30});
     for (int round = 0; round < (options_.isQuick ? kQuickRounds : kRounds); ++round)
         for (std::size_t i = 0; i < plans.size(); ++i) {
             PassMs now;
+            const OnePicture& picture = *all[i].picture;
             for (const PassTime& pass : executor_->time(picture.stage, plans[i], picture.view, 1).passes) {
                 if (pass.name == "prepare") now.prepare = pass.ms;
                 if (pass.name == "lookup") now.lookup = pass.ms;
@@ -127,10 +135,10 @@ void Cost::addTerms(const OnePicture& picture)
     samplesShare_ = samples / (double(picture.view.width) * picture.view.height);
     constexpr std::array kAllDepths{1, 2, 4, 3, 8};
     const std::span depths = std::span(kAllDepths).first(options_.isQuick ? 3 : kAllDepths.size());
-    std::vector<std::string> techniques;
+    std::vector<Timed> all;
     for (const int n : depths)
-        for (const int k : kTaps) techniques.push_back(fmt::format("depths({})+pcf({})", n, k));
-    const std::vector<PassMs> times = timesOf(picture, techniques);
+        for (const int k : kTaps) all.push_back({&picture, fmt::format("depths({})+pcf({})", n, k)});
+    const std::vector<PassMs> times = timesOf(all);
     for (std::size_t at = 0; at < depths.size(); ++at) {
         const int n = depths[at];
         std::array<double, kTaps.size()> ms{};
@@ -173,13 +181,17 @@ void Cost::addBreakEven()
                           true};
     std::optional<double> crossing;
     double before = 0, beforeF = 0, fastest = 0, slowest = 0;
+    std::deque<OnePicture> pictures;
+    std::vector<Timed> all;
     for (const int side : sides_) {
-        const OnePicture picture(kScene, kView, fmt::format("{}x{}", side, side), *executor_);
-        const std::array<std::string, 2> techniques{"pcf(16)", "depths(2,max)+pcf(9)"};
-        const std::vector<PassMs> times = timesOf(picture, techniques);
-        const PassMs classic = times[0], multiple = times[1];
-        const double f = double(picture.samples.size()) / (double(kMap) * kMap);
-        const double lambda = double(side) / kMap, fresh = multiple.prepare + multiple.lookup;
+        pictures.emplace_back(kScene, kView, fmt::format("{}x{}", side, side), *executor_);
+        for (const char* technique : {"pcf(16)", "depths(2,max)+pcf(9)"}) all.push_back({&pictures.back(), technique});
+    }
+    const std::vector<PassMs> times = timesOf(all);
+    for (std::size_t s = 0; s < sides_.size(); ++s) {
+        const PassMs classic = times[2 * s], multiple = times[2 * s + 1];
+        const double f = double(pictures[s].samples.size()) / (double(kMap) * kMap);
+        const double lambda = double(sides_[s]) / kMap, fresh = multiple.prepare + multiple.lookup;
         const double more = fresh - classic.lookup;
         const std::array ms{classic.lookup, fresh, multiple.lookup};
         for (std::size_t i = 0; i < ms.size(); ++i) {
