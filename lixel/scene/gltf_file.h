@@ -42,8 +42,8 @@ public:
     JsonAt element(const char* array, int i) const;
 
     BufferView view(int i) const;
-    // Of a view; within it. Valid until the next call for the same view.
-    std::span<const std::byte> bytes(int view, std::size_t offset, std::size_t count);
+    // Of view i; within it. Valid until the next call for the same view.
+    std::span<const std::byte> bytes(int i, std::size_t offset, std::size_t count);
 
     // The bytes of an image behind a URI: inside it (base64), or of a file beside this one.
     std::vector<std::byte> readImage(const JsonAt& uri) const;
