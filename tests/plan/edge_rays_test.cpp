@@ -155,8 +155,10 @@ TEST(EdgeRays, LeaveOutSurfacesThatAreEdgeOn)
     });
 }
 
+// What some say of all scatters: by more than a tenth in less than one of 10,000 cases, where few samples are most of the sum.
 TEST(EdgeRays, SomeOfThemAreAsManyAndStandForAll)
 {
+    int beyondATenth = 0;
     forEachCase(kCases, [&](Rng& rng) {
         EdgeScene s = anyEdgeScene(rng);
         while (s.samples.size() < 8000)
@@ -175,8 +177,9 @@ TEST(EdgeRays, SomeOfThemAreAsManyAndStandForAll)
         EXPECT_NEAR(std::accumulate(some.edgeWeight.begin(), some.edgeWeight.end(), 0.0), 1, 1e-12);
         const PlaneWarp map = anyMap(rng, s.rays);
         for (const LixelMetric metric : kAllMetrics) {
-            const double all = lixelEnergy(metric, s.rays, map);
-            EXPECT_NEAR(lixelEnergy(metric, some, map), all, 0.1 * all) << nameOf(metric);
+            const double all = lixelEnergy(metric, s.rays, map), off = std::abs(lixelEnergy(metric, some, map) - all);
+            EXPECT_LT(off, 0.2 * all) << nameOf(metric);
+            beyondATenth += off > 0.1 * all;
         }
         // All of them: weights are made to sum to one again, and each sum is rounded once a term.
         some.assignSome(s.rays, s.rays.edgeWeight.size());
@@ -186,6 +189,7 @@ TEST(EdgeRays, SomeOfThemAreAsManyAndStandForAll)
             EXPECT_NEAR(lixelEnergy(metric, some, map), all, rounding * all) << nameOf(metric);
         }
     });
+    EXPECT_LE(beyondATenth, scaled(kCases) / 10000);
 }
 
 // Edges of unknown direction are four in a row: taking every fourth, or every eighth, must not take one direction alone.
