@@ -15,4 +15,23 @@ std::string inOneLine(const nlohmann::json& json);
 
 nlohmann::json toJson(const RunTiming& timing);
 
+// What studies' documents have in common, as far as this one has it; each adds what it has found.
+template <typename Study>
+nlohmann::json studyHead(int version, const char* name, const Study& study)
+{
+    nlohmann::json head = {{"version", version},
+                           {"study", name},
+                           {"lixel_version", study.lixelVersion},
+                           {"command", study.command},
+                           {"timing", toJson(study.timing)}};
+    if constexpr (requires { study.seed; }) head["seed"] = study.seed;
+    if constexpr (requires { study.scene; }) head["scene"] = study.scene;
+    if constexpr (requires { study.view; }) head["view"] = study.view;
+    if constexpr (requires { study.size; }) head["size"] = study.size;
+    if constexpr (requires { study.lixels; }) head["lixels"] = study.lixels;
+    if constexpr (requires { study.executor; }) head["executor"] = study.executor;
+    if constexpr (requires { study.lights; }) head["lights"] = study.lights;
+    return head;
+}
+
 } // namespace lixel

@@ -42,25 +42,20 @@ Json worst(const std::optional<OneToOne::Worst>& of)
 std::string toJson(const OneToOne& study)
 {
     const auto onDevice = [&](const auto& of) { return study.onDevice ? Json(of(*study.onDevice)) : Json(nullptr); };
-    const Json json = {{"version", kOneToOneVersion},
-                       {"study", "one-to-one"},
-                       {"lixel_version", study.lixelVersion},
-                       {"command", study.command},
-                       {"seed", study.seed},
-                       {"configurations", study.configurations},
-                       {"refused", study.refused},
-                       {"max_deviation_double_pixels", most(study.inDouble.worstPixels)},
-                       {"deviation_double_pixels", percentiles(study.inDouble.worstPixels)},
-                       {"configurations_double", study.inDouble.worstPixels.size()},
-                       {"points_double", study.inDouble.points},
-                       {"worst_double", worst(study.worstInDouble)},
-                       {"max_deviation_gpu_pixels", onDevice([](const auto& d) { return most(d.worstPixels); })},
-                       {"deviation_gpu_pixels", onDevice([](const auto& d) { return percentiles(d.worstPixels); })},
-                       {"configurations_gpu", onDevice([](const auto& d) { return Json(d.worstPixels.size()); })},
-                       {"lixels_gpu", onDevice([](const auto& d) { return Json(d.points); })},
-                       {"worst_gpu", worst(study.worstOnDevice)},
-                       {"why_no_gpu", study.onDevice ? Json(nullptr) : Json(study.whyNotOnDevice)},
-                       {"timing", toJson(study.timing)}};
+    Json json = studyHead(kOneToOneVersion, "one-to-one", study);
+    json["configurations"] = study.configurations;
+    json["refused"] = study.refused;
+    json["max_deviation_double_pixels"] = most(study.inDouble.worstPixels);
+    json["deviation_double_pixels"] = percentiles(study.inDouble.worstPixels);
+    json["configurations_double"] = study.inDouble.worstPixels.size();
+    json["points_double"] = study.inDouble.points;
+    json["worst_double"] = worst(study.worstInDouble);
+    json["max_deviation_gpu_pixels"] = onDevice([](const auto& d) { return most(d.worstPixels); });
+    json["deviation_gpu_pixels"] = onDevice([](const auto& d) { return percentiles(d.worstPixels); });
+    json["configurations_gpu"] = onDevice([](const auto& d) { return Json(d.worstPixels.size()); });
+    json["lixels_gpu"] = onDevice([](const auto& d) { return Json(d.points); });
+    json["worst_gpu"] = worst(study.worstOnDevice);
+    json["why_no_gpu"] = study.onDevice ? Json(nullptr) : Json(study.whyNotOnDevice);
     return documentOf(json);
 }
 

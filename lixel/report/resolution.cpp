@@ -32,17 +32,10 @@ std::string toJson(const ResolutionStudy& study)
 {
     Json rows = Json::array();
     for (const ResolutionStudy::Row& row : study.rows) rows.push_back(toJson(row));
-    const Json json = {{"version", kVersion},
-                       {"study", "resolution"},
-                       {"lixel_version", study.lixelVersion},
-                       {"command", study.command},
-                       {"scene", study.scene},
-                       {"size", study.size},
-                       {"executor", study.executor},
-                       {"tolerance_percent", study.tolerancePercent},
-                       {"largest_side", study.largestSide},
-                       {"rows", rows},
-                       {"timing", toJson(study.timing)}};
+    Json json = studyHead(kVersion, "resolution", study);
+    json["tolerance_percent"] = study.tolerancePercent;
+    json["largest_side"] = study.largestSide;
+    json["rows"] = rows;
     return documentOf(json);
 }
 

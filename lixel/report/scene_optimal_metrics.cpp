@@ -118,21 +118,10 @@ std::string toJson(const SceneOptimalMetrics& study)
     Json ranks = Json::array(), cases = Json::array();
     for (const MetricRanks& one : metricRanks(study)) ranks.push_back(toJson(one));
     for (const Case& c : study.cases) cases.push_back(toJson(c));
-    const Json json = {{"version", kVersion},
-                       {"study", "scene-optimal-metrics"},
-                       {"lixel_version", study.lixelVersion},
-                       {"command", study.command},
-                       {"seed", study.seed},
-                       {"scene", study.scene},
-                       {"view", study.view},
-                       {"size", study.size},
-                       {"lixels", study.lixels},
-                       {"executor", study.executor},
-                       {"lights", study.lights},
-                       {"lights_left_out", study.leftOut},
-                       {"metrics", ranks},
-                       {"cases", cases},
-                       {"timing", toJson(study.timing)}};
+    Json json = studyHead(kVersion, "scene-optimal-metrics", study);
+    json["lights_left_out"] = study.leftOut;
+    json["metrics"] = ranks;
+    json["cases"] = cases;
     return documentOf(json);
 }
 

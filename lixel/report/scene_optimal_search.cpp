@@ -55,22 +55,14 @@ std::string toJson(const SceneOptimalSearch& study)
                          {"energy_exhaustive", c.exhaustive},
                          {"energy_wide", c.wide},
                          {"energy_descent", c.descent}});
-    const Json json = {{"version", kVersion},
-                       {"study", "scene-optimal-search"},
-                       {"lixel_version", study.lixelVersion},
-                       {"command", study.command},
-                       {"seed", study.seed},
-                       {"scene", study.scene},
-                       {"view", study.view},
-                       {"lights", study.lights},
-                       {"lights_left_out", study.leftOut},
-                       {"axes", study.axes},
-                       {"axes_refined", study.refined},
-                       {"within_share", study.share},
-                       {"wide", toJson(searchQuality(study, &SceneOptimalSearch::Case::wide))},
-                       {"descent", toJson(searchQuality(study, &SceneOptimalSearch::Case::descent))},
-                       {"cases", cases},
-                       {"timing", toJson(study.timing)}};
+    Json json = studyHead(kVersion, "scene-optimal-search", study);
+    json["lights_left_out"] = study.leftOut;
+    json["axes"] = study.axes;
+    json["axes_refined"] = study.refined;
+    json["within_share"] = study.share;
+    json["wide"] = toJson(searchQuality(study, &SceneOptimalSearch::Case::wide));
+    json["descent"] = toJson(searchQuality(study, &SceneOptimalSearch::Case::descent));
+    json["cases"] = cases;
     return documentOf(json);
 }
 

@@ -27,19 +27,8 @@ std::string toJson(const SceneOptimalSensitivity& study)
                             {"misclassified_focused", point.ofFocused},
                             {"ratio_to_focused", point.ratio()},
                             {"lights", point.lights}});
-    const Json json = {{"version", kVersion},
-                       {"study", "scene-optimal-sensitivity"},
-                       {"lixel_version", study.lixelVersion},
-                       {"command", study.command},
-                       {"seed", study.seed},
-                       {"scene", study.scene},
-                       {"view", study.view},
-                       {"size", study.size},
-                       {"lixels", study.lixels},
-                       {"executor", study.executor},
-                       {"lights", study.lights},
-                       {"rows", rows},
-                       {"timing", toJson(study.timing)}};
+    Json json = studyHead(kVersion, "scene-optimal-sensitivity", study);
+    json["rows"] = rows;
     return documentOf(json);
 }
 

@@ -29,11 +29,8 @@ std::string toJson(const WarpStudy& study)
                         {"used_share", row.usedShare},
                         {"count_variation", row.countVariation},
                         {"knot_bytes", row.knotBytes}});
-    const Json json = {
-        {"version", kVersion},           {"study", "warps"},           {"lixel_version", study.lixelVersion},
-        {"command", study.command},      {"scene", study.scene},       {"size", study.size},
-        {"lixels", study.lixels},        {"executor", study.executor}, {"rows", rows},
-        {"timing", toJson(study.timing)}};
+    Json json = studyHead(kVersion, "warps", study);
+    json["rows"] = rows;
     return documentOf(json);
 }
 
