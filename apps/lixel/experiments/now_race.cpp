@@ -2,6 +2,7 @@
 #include "experiments/now_race.h"
 
 #include "experiments/enlarged_square.h"
+#include "lixel/base/median.h"
 #include "lixel/report/png.h"
 #include "lixel/scene/framing.h"
 #include "run_results.h"
@@ -44,11 +45,10 @@ MethodTimes timesOf(const TechniqueChoice& choice, const PlanSubject& subject, c
         if (!layout) plan = planFor(choice, subject, lixels, executor);
         planMs.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     }
-    std::sort(planMs.begin(), planMs.end());
     TimedExtras extras{{}, subject.lights};
     if (layout) extras.warps = layout->fills;
     const FramePlan& timed = layout ? layout->plan : *plan;
-    return {planMs[planMs.size() / 2], executor.time(subject.stage, timed, subject.view, frames, extras)};
+    return {median(planMs), executor.time(subject.stage, timed, subject.view, frames, extras)};
 }
 
 void add(const Measurement& m, const RowTiming& frame, double planMs, NowOutcome& sum)
