@@ -138,9 +138,37 @@ double AxisProblem::energy(Vec2d axis, Vec2d* slope)
             (slopes.withW + through(slopes.withB1, steps[0]) + through(slopes.withB2, steps[1])) / length(w);
         *slope = {total.x, total.y};
     }
+    note(energy);
+    return energy;
+}
+
+void AxisProblem::note(double energy)
+{
     least_ = std::min(least_, energy);
     if (secondsToTarget_ < 0 && energy <= target_) secondsToTarget_ = secondsSince(start_);
-    return energy;
+}
+
+std::optional<AxisProblem::Basis> AxisProblem::basisAt(Vec2d axis)
+{
+    ++evaluations_;
+    HullMaps hull(question_.corners, 1, room_);
+    const Vec3d w{axis.x, axis.y, 1};
+    if (!std::isfinite(axis.x + axis.y) || !hull.lookAlong(w)) return std::nullopt;
+    double energy = 0;
+    const std::size_t side = bestSide(hull, energy);
+    const HullMaps::Steps at = hull.steps(hull.sides(side), false);
+    const auto steps = stepsOf(question_.corners, side, hull.axis());
+    Basis out{hull.axis(), at.alongX, at.alongY, {}, {}, {}};
+    const double perLength = 1 / length(w);
+    const auto component = [](const Vec3d& by, std::size_t i) { return i == 0 ? by.x : by.y; };
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto change = [&](const DualVec3& b) {
+            return perLength * Vec3d{component(b.x.by, i), component(b.y.by, i), component(b.z.by, i)};
+        };
+        out.wBy[i] = perLength * (i == 0 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0});
+        out.b1By[i] = change(steps[0]), out.b2By[i] = change(steps[1]);
+    }
+    return out;
 }
 
 } // namespace lixel::bench

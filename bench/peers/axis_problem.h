@@ -5,7 +5,9 @@
 #include "lixel/plan/fit/lixel_energy.h"
 #include "lixel/plan/fit/map_search.h"
 
+#include <array>
 #include <chrono>
+#include <optional>
 #include <vector>
 
 namespace lixel::bench {
@@ -27,7 +29,18 @@ public:
 
     void start();
     double energy(Vec2d axis, Vec2d* slope);
+    void note(double energy); // that it was reached
 
+    // What the squares of each sample are made of (lixel_energy.h): the row w, unit, and the basis vectors of the best rectangle; and how
+    // these change with the axis' two numbers, but for w's length, which no square knows. L2.
+    struct Basis
+    {
+        Vec3d w, b1, b2;
+        std::array<Vec3d, 2> wBy, b1By, b2By;
+    };
+    std::optional<Basis> basisAt(Vec2d axis);
+
+    const EdgeRays& rays() const { return question_.rays; }
     double least() const { return least_; }
     double secondsToTarget() const { return secondsToTarget_; } // negative: not reached
     int evaluations() const { return evaluations_; }

@@ -71,17 +71,17 @@ void ShadowVolumePass::begin(const VolumeCasters& casters, const View& view, con
         withTriangles_ = Framebuffer(colour, &volumes_);
         counting_ = Framebuffer({}, &volumes_);
     }
-    drawSamples(view, points);
-
     Mat4d clip = clipFromLocal(view, casters.originWorld());
     const double nearest = nearestW(clip);
+    drawSamples(clip.row(3), nearest, points);
+
     for (int column = 0; column < 4; ++column) clip.m[2][column] = column == 3 ? nearest : 0;
     const shared::mat4 clipInFloats = toShared(clip);
     for (const Program* program : {&sides_, &caps_, &farCaps_})
         glProgramUniformMatrix4fv(program->name(), kClipFromLocal, 1, GL_FALSE, &clipInFloats.columns[0].x);
 }
 
-void ShadowVolumePass::drawSamples(const View& view, const PointList& points)
+void ShadowVolumePass::drawSamples(Vec4d w, double nearest, const PointList& points)
 {
     apply(DrawState{});
     withTriangles_.bind();
@@ -89,14 +89,12 @@ void ShadowVolumePass::drawSamples(const View& view, const PointList& points)
     glClearNamedFramebufferuiv(withTriangles_.name(), GL_COLOR, 0, none.data());
     glClearNamedFramebufferfi(withTriangles_.name(), GL_DEPTH_STENCIL, 0, 0.0f, 0);
     glDepthFunc(GL_ALWAYS);
-    glViewport(0, 0, view.width, view.height);
+    glViewport(0, 0, volumes_.width(), volumes_.height());
     glBindVertexArray(noVertices_.get());
 
-    const Mat4d clip = clipFromLocal(view, points.originWorld());
-    const Vec4d w = clip.row(3);
     glProgramUniform4f(samples_.name(), kWFromLocal, float(w.x), float(w.y), float(w.z), float(w.w));
-    samples_.set(kNearest, float(nearestW(clip)));
-    samples_.set(kWidth, std::uint32_t(view.width));
+    samples_.set(kNearest, float(nearest));
+    samples_.set(kWidth, std::uint32_t(volumes_.width()));
     samples_.use();
     for (const PointList::Part& part : points.parts()) {
         points.bind(part);

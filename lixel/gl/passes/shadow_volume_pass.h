@@ -33,7 +33,8 @@ public:
     void decide(const PointList& points, const VisibilityList& visibility, std::size_t light) const;
 
 private:
-    void drawSamples(const View& view, const PointList& points);
+    // Into what their volumes are counted behind: w of a point is its product with that row of the view's matrix.
+    void drawSamples(Vec4d w, double nearest, const PointList& points);
 
     Program facing_, silhouettes_, samples_, sides_, caps_, farCaps_, visibility_;
     VertexArray noVertices_;
