@@ -68,6 +68,7 @@ const int kUnitMoreWords = 7;
 const int kUnitGradients = 8;
 const int kUnitMoments = 9;
 const int kUnitVolumes = 10;
+const int kUnitSamples = 11;
 
 // Image units.
 const int kImagePicture = 0;

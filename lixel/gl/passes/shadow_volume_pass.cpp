@@ -41,14 +41,22 @@ double nearestW(const Mat4d& clipFromLocal)
 
 GLuint groupsFor(std::uint32_t count) { return (count + 63) / 64; }
 
+// For shaders that ask indexInRows(): a row has at most as many groups as every device takes.
+void dispatchInRows(std::uint32_t count)
+{
+    constexpr GLuint kMostGroups = 65535;
+    const GLuint groups = groupsFor(count), rows = (groups + kMostGroups - 1) / kMostGroups;
+    if (groups > 0) glDispatchCompute((groups + rows - 1) / rows, rows, 1);
+}
+
 } // namespace
 
 ShadowVolumePass::ShadowVolumePass()
     : facing_(Program::compute("volume_facing.comp.glsl")),
       silhouettes_(Program::compute("volume_sides.comp.glsl")),
       samples_(Program::graphics({"volume_samples.vert.glsl", "volume_samples.frag.glsl"})),
-      sides_(Program::graphics({"volume_sides.vert.glsl", "opaque.frag.glsl"})),
-      caps_(Program::graphics({"volume_caps.vert.glsl", "volume_caps.frag.glsl"})),
+      sides_(Program::graphics({"volume_sides.vert.glsl", "volume_boundary.frag.glsl"})),
+      caps_(Program::graphics({"volume_caps.vert.glsl", "volume_boundary.frag.glsl"})),
       visibility_(Program::compute("volume_visibility.comp.glsl")),
       noVertices_(makeVertexArray())
 {
@@ -63,12 +71,12 @@ void ShadowVolumePass::begin(const VolumeCasters& casters, const View& view, con
     facingOfTriangles_.reserve(sizeof(std::uint32_t) * casters.triangleCount());
     sidesOfVolumes_.reserve(3 * sizeof(std::uint32_t) * casters.triangleCount());
     draw_.reserve(sizeof(DrawCommand));
-    if (!counting_.name() || triangles_.width() != view.width || triangles_.height() != view.height) {
-        triangles_.resize(GL_R32UI, view.width, view.height);
+    if (!counting_.name() || sampleOfPixel_.width() != view.width || sampleOfPixel_.height() != view.height) {
+        sampleOfPixel_.resize(GL_RGBA32UI, view.width, view.height);
         volumes_.resize(GL_DEPTH32F_STENCIL8, view.width, view.height);
         glTextureParameteri(volumes_.name(), GL_DEPTH_STENCIL_TEXTURE_MODE, GL_STENCIL_INDEX);
-        const std::array<const Texture*, 1> colour{&triangles_};
-        withTriangles_ = Framebuffer(colour, &volumes_);
+        const std::array<const Texture*, 1> colour{&sampleOfPixel_};
+        withSamples_ = Framebuffer(colour, &volumes_);
         counting_ = Framebuffer({}, &volumes_);
     }
     Mat4d clip = clipFromLocal(view, casters.originWorld());
@@ -84,10 +92,10 @@ void ShadowVolumePass::begin(const VolumeCasters& casters, const View& view, con
 void ShadowVolumePass::drawSamples(Vec4d w, double nearest, const PointList& points)
 {
     apply(DrawState{});
-    withTriangles_.bind();
-    const std::array<GLuint, 4> none{0xffffffffu, 0, 0, 0};
-    glClearNamedFramebufferuiv(withTriangles_.name(), GL_COLOR, 0, none.data());
-    glClearNamedFramebufferfi(withTriangles_.name(), GL_DEPTH_STENCIL, 0, 0.0f, 0);
+    withSamples_.bind();
+    const std::array<GLuint, 4> none{0, 0, 0, 0xffffffffu};
+    glClearNamedFramebufferuiv(withSamples_.name(), GL_COLOR, 0, none.data());
+    glClearNamedFramebufferfi(withSamples_.name(), GL_DEPTH_STENCIL, 0, 0.0f, 0);
     glDepthFunc(GL_ALWAYS);
     glViewport(0, 0, volumes_.width(), volumes_.height());
     glBindVertexArray(noVertices_.get());
@@ -122,12 +130,12 @@ void ShadowVolumePass::findSilhouettes(const VolumeCasters& casters, const Light
     draw_.bindStorage(shared::kStorageSideDraw);
     facing_.set(kTriangleCount, casters.triangleCount());
     facing_.use();
-    glDispatchCompute(groupsFor(casters.triangleCount()), 1, 1);
+    dispatchInRows(casters.triangleCount());
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     silhouettes_.set(kEdgeCount, casters.edgeCount());
     silhouettes_.set(kSidesVertices, verticesASide_);
     silhouettes_.use();
-    if (casters.edgeCount() > 0) glDispatchCompute(groupsFor(casters.edgeCount()), 1, 1);
+    dispatchInRows(casters.edgeCount());
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
@@ -145,7 +153,7 @@ void ShadowVolumePass::count(const VolumeCasters& casters)
     casters.bind();
     facingOfTriangles_.bindStorage(shared::kStorageFacing);
     sidesOfVolumes_.bindStorage(shared::kStorageSides);
-    triangles_.bind(shared::kUnitTriangles);
+    sampleOfPixel_.bind(shared::kUnitSamples);
 
     sides_.set(kSidesVertices, verticesASide_);
     sides_.use();

@@ -39,8 +39,8 @@ private:
     Program facing_, silhouettes_, samples_, sides_, caps_, farCaps_, visibility_;
     VertexArray noVertices_;
     Buffer facingOfTriangles_, sidesOfVolumes_, draw_;
-    Texture triangles_, volumes_;
-    Framebuffer withTriangles_, counting_;
+    Texture sampleOfPixel_, volumes_;
+    Framebuffer withSamples_, counting_;
     std::uint32_t verticesASide_ = 6;
     bool isPointLight_ = true;
 };

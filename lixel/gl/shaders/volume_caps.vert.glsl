@@ -6,12 +6,13 @@
 
 layout(std430, binding = kStorageFacing) readonly buffer Facing { int facing[]; };
 
-layout(location = 0) flat out uint triangle;
+#ifndef FAR
+#include "lixel/gl/shaders/volume_plane.glsl"
+#endif
 
 void main()
 {
-    uint vertex = uint(gl_VertexID);
-    triangle = vertex / 3u;
+    uint vertex = uint(gl_VertexID), triangle = vertex / 3u;
     int seen = facing[triangle];
     if (seen == 0) { // seen from the light it has no inside
         gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
@@ -30,5 +31,8 @@ void main()
     gl_Position = clipFromLocal * farAway(cornerLocal);
 #else
     gl_Position = clipFromLocal * vec4(cornerLocal, 1.0);
+    vec3 a = cornerAt(indices[3u * triangle]);
+    vec3 ab = cornerAt(indices[3u * triangle + 1u]) - a, ac = cornerAt(indices[3u * triangle + 2u]) - a;
+    tellPlane(triangle, a, float(seen) * ab, ac);
 #endif
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The depth and the triangle of the sample in each pixel, of a list with an entry a pixel.
+// The depth of the sample in each pixel, of a list with an entry a pixel; and its place, as bits, and its triangle.
 #include "lixel/shared/gl_slots.h"
 #include "lixel/shared/view_tables.h"
 
@@ -11,12 +11,12 @@ layout(location = 2) uniform uint width;      // of the picture
 layout(location = 3) uniform vec4 wFromLocal; // the view's row
 layout(location = 4) uniform float nearest;
 
-layout(location = 0) out uint outTriangle;
+layout(location = 0) out uvec4 outSample;
 
 void main()
 {
     uint entry = uint(gl_FragCoord.y) * width + uint(gl_FragCoord.x) - firstPoint;
     if (entry >= pointCount || points[entry].pixel == kNoPixel) discard;
-    outTriangle = points[entry].triangle;
+    outSample = uvec4(floatBitsToUint(points[entry].positionLocal), points[entry].triangle);
     gl_FragDepth = nearest / dot(wFromLocal, vec4(points[entry].positionLocal, 1.0));
 }

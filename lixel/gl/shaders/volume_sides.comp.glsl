@@ -3,6 +3,7 @@
 // one caster whose corners run counterclockwise; where as many of them run along an edge one way as the other, nothing hangs
 // from it (Kim et al. 2008 count such multiplicities for non-manifold meshes).
 #include "lixel/gl/shaders/volume_edges.glsl"
+#include "lixel/gl/shaders/volume_index.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -15,7 +16,7 @@ layout(location = 1) uniform uint verticesASide;
 
 void main()
 {
-    uint index = gl_GlobalInvocationID.x;
+    uint index = indexInRows();
     if (index >= edgeCount) return;
     MeshEdge edge = edges[index];
     int times = 0;

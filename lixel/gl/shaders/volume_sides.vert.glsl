@@ -4,6 +4,7 @@
 #include "lixel/gl/shaders/volume_casters.glsl"
 #include "lixel/gl/shaders/volume_clip.glsl"
 #include "lixel/gl/shaders/volume_edges.glsl"
+#include "lixel/gl/shaders/volume_plane.glsl"
 
 layout(std430, binding = kStorageSides) readonly buffer Sides { uint sides[]; };
 layout(location = 1) uniform uint verticesASide;
@@ -20,7 +21,9 @@ void main()
     bool isTurned = (side & 1u) != 0u;
     uint corner = verticesASide == 6u ? kFan[place] : kTriangle[place];
     bool isAtFrom = corner < 2u;
-    vec3 atEdge = cornerAt(isAtFrom != isTurned ? edge.from : edge.to);
+    vec3 from = cornerAt(isTurned ? edge.to : edge.from), to = cornerAt(isTurned ? edge.from : edge.to);
+    vec3 atEdge = isAtFrom ? from : to;
     bool isFar = corner == 1u || corner == 2u;
     gl_Position = clipFromLocal * (isFar ? farAway(atEdge) : vec4(atEdge, 1.0));
+    tellPlane(kNoTriangle, from, farAway(from).xyz, to - from);
 }
