@@ -16,19 +16,19 @@ void apply(const DrawState& state)
     for (GLenum plane = 0; plane < 8; ++plane) glDisable(GL_CLIP_DISTANCE0 + plane);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    glEnable(GL_DEPTH_TEST);
+    (state.counts ? glDisable : glEnable)(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
-    const GLboolean draws = state.countsBehind ? GL_FALSE : GL_TRUE;
+    const GLboolean draws = state.counts ? GL_FALSE : GL_TRUE;
     glDepthMask(draws);
     glDepthRange(0, 1);
     glColorMask(draws, draws, draws, draws);
     glStencilMask(0xff);
-    if (state.countsBehind) {
+    if (state.counts) {
         glEnable(GL_STENCIL_TEST);
         glFrontFace(GL_CCW);
         glStencilFunc(GL_ALWAYS, 0, 0xff);
-        glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
-        glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+        glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
+        glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
     }
     glEnable(GL_FRAMEBUFFER_SRGB); // of textures that are sRGB; others are as they are
     (state.clampsDepth ? glEnable : glDisable)(GL_DEPTH_CLAMP);

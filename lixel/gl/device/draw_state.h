@@ -8,9 +8,9 @@ namespace lixel::gl {
 struct DrawState
 {
     bool clampsDepth = false; // geometry beyond the near and far planes is drawn at them
-    // Nothing is drawn but counted in the stencil, modulo 256: what is not nearer than the depth that is there, 1 for each side that
-    // faces away and -1 for each that faces the viewer.
-    bool countsBehind = false;
+    // Nothing is drawn but counted in the stencil, modulo 256 and whatever its depth: 1 for each side that faces away and -1 for each
+    // that faces the viewer.
+    bool counts = false;
 };
 void apply(const DrawState& state);
 

@@ -205,9 +205,8 @@ Framebuffer::Framebuffer(std::span<const Texture* const> colours, const Texture*
     }
     glNamedFramebufferDrawBuffers(name, GLsizei(colours.size()), attachments.data());
     if (depth) {
-        const bool hasStencil = depth->format() == GL_DEPTH32F_STENCIL8;
-        glNamedFramebufferTexture(name, hasStencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth->name(),
-                                  0);
+        const bool isStencil = depth->format() == GL_STENCIL_INDEX8;
+        glNamedFramebufferTexture(name, isStencil ? GL_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth->name(), 0);
     }
     if (glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw GraphicsError("the driver cannot draw into the textures of a pass");

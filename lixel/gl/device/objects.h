@@ -177,7 +177,7 @@ private:
     int width_ = 0, height_ = 0, layers_ = 0;
 };
 
-// Colour attachments in order, and a depth attachment, with stencil where it has one, or none. Array textures are attached whole: layered.
+// Colour attachments in order, and a depth or stencil attachment, or none. Array textures are attached whole: layered.
 class Framebuffer
 {
 public:

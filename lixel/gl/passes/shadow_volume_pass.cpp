@@ -19,7 +19,7 @@ namespace {
 // Locations in volume_casters.glsl, volume_clip.glsl, volume_facing.comp.glsl and volume_sides.*.glsl.
 constexpr int kLightLocal = 0, kClipFromLocal = 2, kTriangleCount = 1, kEdgeCount = 0, kSidesVertices = 1;
 // In volume_samples.frag.glsl and volume_visibility.comp.glsl.
-constexpr int kFirstPoint = 0, kPointCount = 1, kWidth = 2, kWFromLocal = 3, kNearest = 4, kLight = 2;
+constexpr int kFirstPoint = 0, kPointCount = 1, kWidth = 2, kLight = 2;
 
 // What glDrawArraysIndirect reads.
 struct DrawCommand
@@ -73,15 +73,14 @@ void ShadowVolumePass::begin(const VolumeCasters& casters, const View& view, con
     draw_.reserve(sizeof(DrawCommand));
     if (!counting_.name() || sampleOfPixel_.width() != view.width || sampleOfPixel_.height() != view.height) {
         sampleOfPixel_.resize(GL_RGBA32UI, view.width, view.height);
-        volumes_.resize(GL_DEPTH32F_STENCIL8, view.width, view.height);
-        glTextureParameteri(volumes_.name(), GL_DEPTH_STENCIL_TEXTURE_MODE, GL_STENCIL_INDEX);
+        volumes_.resize(GL_STENCIL_INDEX8, view.width, view.height);
         const std::array<const Texture*, 1> colour{&sampleOfPixel_};
-        withSamples_ = Framebuffer(colour, &volumes_);
+        withSamples_ = Framebuffer(colour, nullptr);
         counting_ = Framebuffer({}, &volumes_);
     }
     Mat4d clip = clipFromLocal(view, casters.originWorld());
     const double nearest = nearestW(clip);
-    drawSamples(clip.row(3), nearest, points);
+    drawSamples(points);
 
     for (int column = 0; column < 4; ++column) clip.m[2][column] = column == 3 ? nearest : 0;
     const shared::mat4 clipInFloats = toShared(clip);
@@ -89,19 +88,15 @@ void ShadowVolumePass::begin(const VolumeCasters& casters, const View& view, con
         glProgramUniformMatrix4fv(program->name(), kClipFromLocal, 1, GL_FALSE, &clipInFloats.columns[0].x);
 }
 
-void ShadowVolumePass::drawSamples(Vec4d w, double nearest, const PointList& points)
+void ShadowVolumePass::drawSamples(const PointList& points)
 {
     apply(DrawState{});
     withSamples_.bind();
     const std::array<GLuint, 4> none{0, 0, 0, 0xffffffffu};
     glClearNamedFramebufferuiv(withSamples_.name(), GL_COLOR, 0, none.data());
-    glClearNamedFramebufferfi(withSamples_.name(), GL_DEPTH_STENCIL, 0, 0.0f, 0);
-    glDepthFunc(GL_ALWAYS);
     glViewport(0, 0, volumes_.width(), volumes_.height());
     glBindVertexArray(noVertices_.get());
 
-    glProgramUniform4f(samples_.name(), kWFromLocal, float(w.x), float(w.y), float(w.z), float(w.w));
-    samples_.set(kNearest, float(nearest));
     samples_.set(kWidth, std::uint32_t(volumes_.width()));
     samples_.use();
     for (const PointList::Part& part : points.parts()) {
@@ -142,7 +137,7 @@ void ShadowVolumePass::findSilhouettes(const VolumeCasters& casters, const Light
 void ShadowVolumePass::count(const VolumeCasters& casters)
 {
     DrawState state;
-    state.countsBehind = true;
+    state.counts = true;
     apply(state);
     counting_.bind();
     const GLint zero = 0;

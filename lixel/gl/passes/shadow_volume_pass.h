@@ -33,8 +33,7 @@ public:
     void decide(const PointList& points, const VisibilityList& visibility, std::size_t light) const;
 
 private:
-    // Into what their volumes are counted behind: w of a point is its product with that row of the view's matrix.
-    void drawSamples(Vec4d w, double nearest, const PointList& points);
+    void drawSamples(const PointList& points); // one a pixel, for what lies behind it
 
     Program facing_, silhouettes_, samples_, sides_, caps_, farCaps_, visibility_;
     VertexArray noVertices_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Near ends and sides of shadow volumes. Which side of one a sample lies on is told from their places, not from the depth that the
-// rasterizer finds for a triangle whose corners it moved to parts of a pixel. What lies in its plane as far as floats tell is outside;
-// so is a triangle's own sample.
+// Near ends and sides of shadow volumes, where they lie behind the sample. Which side of one it lies on is told from their places,
+// not from the depth that the rasterizer finds for a triangle whose corners it moved to parts of a pixel. What lies in its plane as
+// far as floats tell is taken for a little nearer to the eye, with each of them: so it is with a triangle and its own samples.
 #include "lixel/shared/gl_slots.h"
 
 layout(binding = kUnitSamples) uniform usampler2D samples;
@@ -17,7 +17,7 @@ void main()
     vec3 sampleLocal = uintBitsToFloat(ofPixel.xyz);
     vec3 largest = max(abs(sampleLocal), abs(onPlaneLocal));
     float height = dot(outwards, sampleLocal - onPlaneLocal);
-    bool isOutside = ofPixel.w == triangle || height >= -rounding * max(largest.x, max(largest.y, largest.z));
-    bool isBehind = isOutside == gl_FrontFacing;
-    gl_FragDepth = isBehind ? 0.0 : 1.0;
+    bool isInPlane = !(abs(height) > rounding * max(largest.x, max(largest.y, largest.z)));
+    bool isBehind = ofPixel.w == triangle || isInPlane || (height > 0.0) == gl_FrontFacing;
+    if (!isBehind) discard;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The depth of the sample in each pixel, of a list with an entry a pixel; and its place, as bits, and its triangle.
+// The sample in each pixel, of a list with an entry a pixel: its place, as bits, and its triangle.
 #include "lixel/shared/gl_slots.h"
 #include "lixel/shared/view_tables.h"
 
@@ -8,8 +8,6 @@ layout(std430, binding = kStoragePoints) readonly buffer Points { ViewPoint poin
 layout(location = 0) uniform uint firstPoint; // of this part of the list
 layout(location = 1) uniform uint pointCount; // in it
 layout(location = 2) uniform uint width;      // of the picture
-layout(location = 3) uniform vec4 wFromLocal; // the view's row
-layout(location = 4) uniform float nearest;
 
 layout(location = 0) out uvec4 outSample;
 
@@ -18,5 +16,4 @@ void main()
     uint entry = uint(gl_FragCoord.y) * width + uint(gl_FragCoord.x) - firstPoint;
     if (entry >= pointCount || points[entry].pixel == kNoPixel) discard;
     outSample = uvec4(floatBitsToUint(points[entry].positionLocal), points[entry].triangle);
-    gl_FragDepth = nearest / dot(wFromLocal, vec4(points[entry].positionLocal, 1.0));
 }

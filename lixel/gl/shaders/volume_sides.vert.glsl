@@ -25,5 +25,5 @@ void main()
     vec3 atEdge = isAtFrom ? from : to;
     bool isFar = corner == 1u || corner == 2u;
     gl_Position = clipFromLocal * (isFar ? farAway(atEdge) : vec4(atEdge, 1.0));
-    tellPlane(kNoTriangle, from, farAway(from).xyz, to - from);
+    tellPlane(kNoOwnSamples, from, farAway(from).xyz, to - from);
 }
